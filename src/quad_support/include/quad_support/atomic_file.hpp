@@ -1,0 +1,42 @@
+/// Files and result directories that are complete or absent, never half-written.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace quad_support {
+
+/// Writes `content` beside `path`, flushes it to the disk and renames it into place.
+/// @throws EnvironmentError naming path and reason; `path` is then as it was before
+void writeFileAtomically(const std::string& path, std::string_view content);
+
+/// @throws std::invalid_argument (bad input) naming path and reason
+std::string readFile(const std::string& path);
+
+/// A directory of results: filled aside as `.<name>.partial-<pid>`, moved to its name by commit().
+/// Without commit() nothing is left.
+class ResultDirectory {
+ public:
+  /// @param path       where the results shall be
+  /// @param overwrite  false: @throws std::invalid_argument if `path` exists (nothing is touched)
+  /// @throws EnvironmentError if the place cannot be written
+  ResultDirectory(const std::string& path, bool overwrite);
+  ~ResultDirectory();
+  ResultDirectory(const ResultDirectory&) = delete;
+  ResultDirectory& operator=(const ResultDirectory&) = delete;
+
+  const std::string& path() const { return final_; }
+  const std::string& workPath() const { return work_; }
+
+  /// Writes a file into the directory; subdirectories in `name` are made. @throws EnvironmentError
+  void write(const std::string& name, std::string_view content);
+
+  /// Renames into place; an older directory there is removed only after the new one has taken its name.
+  void commit();
+
+ private:
+  std::string final_, work_;
+  bool overwrite_, committed_ = false;
+};
+
+}  // namespace quad_support

@@ -1,0 +1,127 @@
+#include "quad_support/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <linux/fs.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "quad_support/errors.hpp"
+
+namespace quad_support {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void fail(const std::string& action, const std::string& path, int error) {
+  throw EnvironmentError(fmt::format("cannot {} {}: {}", action, path, std::strerror(error)));
+}
+
+void syncPath(const std::string& path, int flags) {
+  const int fd = ::open(path.c_str(), flags);
+  if (fd < 0) fail("open", path, errno);
+  const int result = ::fsync(fd);
+  const int error = errno;
+  ::close(fd);
+  if (result != 0 && error != EINVAL) fail("flush", path, error);  // EINVAL: this file system cannot sync
+}
+
+std::string parentOf(const std::string& path) {
+  const std::string parent = fs::path(path).parent_path().string();
+  return parent.empty() ? "." : parent;
+}
+
+void writeAndSync(const std::string& path, std::string_view content) {
+  const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (fd < 0) fail("create", path, errno);
+  int error = 0;
+  while (!content.empty() && error == 0) {
+    const ssize_t n = ::write(fd, content.data(), content.size());
+    if (n > 0) {
+      content.remove_prefix(static_cast<std::size_t>(n));
+    } else if (n < 0 && errno != EINTR) {
+      error = errno;
+    }
+  }
+  if (error == 0 && ::fsync(fd) != 0 && errno != EINVAL) error = errno;
+  if (::close(fd) != 0 && error == 0) error = errno;
+  if (error != 0) {
+    ::unlink(path.c_str());
+    fail("write", path, error);
+  }
+}
+
+}  // namespace
+
+void writeFileAtomically(const std::string& path, std::string_view content) {
+  const std::string aside = fmt::format("{}.partial-{}", path, ::getpid());
+  writeAndSync(aside, content);
+  if (::rename(aside.c_str(), path.c_str()) != 0) {
+    const int error = errno;
+    ::unlink(aside.c_str());
+    fail("rename a finished file to", path, error);
+  }
+  syncPath(parentOf(path), O_RDONLY | O_DIRECTORY);
+}
+
+std::string readFile(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) throw std::invalid_argument(path + ": is a directory, not a file");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::invalid_argument(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (in.bad()) throw std::invalid_argument(path + ": reading failed");
+  return content;
+}
+
+ResultDirectory::ResultDirectory(const std::string& path, bool overwrite)
+    : final_(path), overwrite_(overwrite) {
+  while (final_.size() > 1 && final_.back() == '/') final_.pop_back();
+  if (final_.empty()) throw std::invalid_argument("the results directory has an empty name");
+  std::error_code error;
+  if (fs::exists(final_, error) && !overwrite) {
+    throw std::invalid_argument(final_ + ": exists already; name another directory or give --force");
+  }
+  const std::string parent = parentOf(final_);
+  fs::create_directories(parent, error);
+  if (error) fail("create", parent, error.value());
+  work_ = fmt::format("{}/.{}.partial-{}", parent, fs::path(final_).filename().string(), ::getpid());
+  fs::remove_all(work_, error);
+  fs::create_directory(work_, error);
+  if (error) fail("create", work_, error.value());
+}
+
+ResultDirectory::~ResultDirectory() {
+  std::error_code ignored;
+  if (!committed_) fs::remove_all(work_, ignored);
+}
+
+void ResultDirectory::write(const std::string& name, std::string_view content) {
+  const std::string path = work_ + "/" + name;
+  std::error_code error;
+  fs::create_directories(parentOf(path), error);
+  if (error) fail("create", parentOf(path), error.value());
+  writeAndSync(path, content);
+}
+
+void ResultDirectory::commit() {
+  syncPath(work_, O_RDONLY | O_DIRECTORY);
+  // An older directory and the new one swap names in one step, so there is no moment without results.
+  const bool exists = ::access(final_.c_str(), F_OK) == 0;
+  if (exists && !overwrite_) throw std::invalid_argument(final_ + ": appeared meanwhile; nothing was overwritten");
+  const unsigned flags = exists ? RENAME_EXCHANGE : RENAME_NOREPLACE;
+  if (::renameat2(AT_FDCWD, work_.c_str(), AT_FDCWD, final_.c_str(), flags) != 0) {
+    fail("rename finished results to", final_, errno);
+  }
+  committed_ = true;
+  std::error_code ignored;
+  if (exists) fs::remove_all(work_, ignored);
+  syncPath(parentOf(final_), O_RDONLY | O_DIRECTORY);
+}
+
+}  // namespace quad_support

@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "quad_support/atomic_file.hpp"
+#include "quad_support/csv_table.hpp"
+#include "quad_support/errors.hpp"
+#include "quad_support/number_format.hpp"
+#include "quad_support/program.hpp"
+#include "quad_support/random_stream.hpp"
+#include "quad_support/sha256.hpp"
+
+namespace fs = std::filesystem;
+using namespace quad_support;
+
+namespace {
+
+class ScratchDirectory : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ = fs::temp_directory_path() / ("quad_support_" + std::to_string(::getpid()));
+    fs::create_directories(dir_);
+  }
+  void TearDown() override { fs::remove_all(dir_); }
+  std::size_t entries() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(dir_), fs::directory_iterator()));
+  }
+  fs::path dir_;
+};
+
+using AtomicFile = ScratchDirectory;
+
+}  // namespace
+
+TEST(NumberFormat, RoundTripsEveryDouble) {
+  const RandomStream random(7, 0, 0);
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const double value = random.normal(i) * std::pow(10.0, std::floor(600 * random.uniform(i, 1) - 300));
+    EXPECT_EQ(parseDouble(shortest(value)), value);
+  }
+  EXPECT_EQ(shortest(0.1), "0.1");
+  EXPECT_EQ(shortest(5e-324), "5e-324");
+}
+
+TEST(NumberFormat, RefusesWhatIsNotANumber) {
+  for (const char* text : {"", "abc", "1.0x", "1,0", "0x10", "+-1"}) EXPECT_THROW(parseDouble(text), std::invalid_argument);
+  EXPECT_EQ(parseDouble(" +1.5 "), 1.5);
+}
+
+TEST(Sha256, MatchesThePublishedTestVector) {  // FIPS 180-4, example "abc"
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(RandomStream, NormalHasTheMomentsOfANormal) {
+  const RandomStream random(1, 2, 3);
+  const int n = 200000;
+  double sum = 0, square = 0, fourth = 0;
+  for (int i = 0; i < n; ++i) {
+    const double x = random.normal(static_cast<std::uint64_t>(i));
+    sum += x;
+    square += x * x;
+    fourth += x * x * x * x;
+  }
+  // Five standard errors: of the mean 1/sqrt(n), of the variance sqrt(2/n), of the fourth moment sqrt(96/n).
+  EXPECT_NEAR(sum / n, 0.0, 5 * std::sqrt(1.0 / n));
+  EXPECT_NEAR(square / n, 1.0, 5 * std::sqrt(2.0 / n));
+  EXPECT_NEAR(fourth / n, 3.0, 5 * std::sqrt(96.0 / n));
+}
+
+TEST(RandomStream, EveryPartOfTheAddressMatters) {
+  const double base = RandomStream(1, 2, 3).uniform(4, 5);
+  EXPECT_EQ(base, RandomStream(1, 2, 3).uniform(4, 5));
+  EXPECT_NE(base, RandomStream(9, 2, 3).uniform(4, 5));
+  EXPECT_NE(base, RandomStream(1, 9, 3).uniform(4, 5));
+  EXPECT_NE(base, RandomStream(1, 2, 9).uniform(4, 5));
+  EXPECT_NE(base, RandomStream(1, 2, 3).uniform(9, 5));
+  EXPECT_NE(base, RandomStream(1, 2, 3).uniform(4, 9));
+}
+
+TEST_F(AtomicFile, ReplacesTheWholeFile) {
+  const std::string path = dir_ / "a.txt";
+  writeFileAtomically(path, "first");
+  writeFileAtomically(path, "second");
+  EXPECT_EQ(readFile(path), "second");
+  EXPECT_EQ(entries(), 1u);
+  EXPECT_THROW(writeFileAtomically(dir_ / "none" / "a.txt", "x"), EnvironmentError);
+}
+
+TEST_F(AtomicFile, ResultsAppearOnlyOnCommit) {
+  const std::string path = dir_ / "results" / "run";
+  {
+    ResultDirectory results(path, false);
+    results.write("targeted/trajectory.csv", "k\n");
+    EXPECT_FALSE(fs::exists(path));
+  }
+  EXPECT_TRUE(fs::is_empty(dir_ / "results"));
+  ResultDirectory results(path, false);
+  results.write("summary.json", "{}");
+  results.commit();
+  EXPECT_EQ(readFile(path + "/summary.json"), "{}");
+  EXPECT_THROW(ResultDirectory(path, false), std::invalid_argument);
+  ResultDirectory again(path, true);
+  again.write("other.json", "[]");
+  again.commit();
+  EXPECT_FALSE(fs::exists(path + "/summary.json"));
+  EXPECT_EQ(readFile(path + "/other.json"), "[]");
+}
+
+TEST(CsvTable, ReadsNumbersAndNamesMistakes) {
+  const auto table = CsvTable::parse("t, phase,w0\n0,hold,1e3\n0.1,explore,nan\n", "x.csv");
+  EXPECT_EQ(table.rows(), 2u);
+  EXPECT_EQ(table.number(0, "w0"), 1000.0);
+  EXPECT_EQ(table.text(1, "phase"), "explore");
+  try {
+    table.number(1, "w0");
+    FAIL();
+  } catch (const DataError& e) {
+    EXPECT_STREQ(e.what(), "x.csv:3: column w0 holds 'nan', not a finite number");
+  }
+  EXPECT_THROW(table.text(0, "w9"), DataError);
+  EXPECT_THROW(CsvTable::parse("a,a\n", "x"), DataError);
+  EXPECT_THROW(CsvTable::parse("a,b\n1\n", "x"), DataError);
+  EXPECT_THROW(CsvTable::parse("\n", "x"), DataError);
+}
+
+TEST(Program, ExceptionsBecomeExitCodes) {
+  const auto code = [](auto error) { return runProgram("test", [&]() -> int { throw error; }); };
+  EXPECT_EQ(code(ConfigError("x")), 2);
+  EXPECT_EQ(code(std::invalid_argument("x")), 2);
+  EXPECT_EQ(code(SimulationError("x")), 4);
+  EXPECT_EQ(code(EnvironmentError("x")), 5);
+  EXPECT_EQ(code(Interrupted(2)), 130);
+  EXPECT_EQ(runProgram("test", [] { return 3; }), 3);
+}
