@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include "quad_support/config_reader.hpp"
+#include "quad_support/errors.hpp"
+
+using quad_support::ConfigError;
+using quad_support::ConfigReader;
+using quad_support::Range;
+
+namespace {
+
+ConfigReader parse(const std::string& text) { return ConfigReader::fromText(text, "c.yaml"); }
+
+template <class F>
+std::string messageOf(F&& f) {
+  try {
+    f();
+  } catch (const ConfigError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST(ConfigReader, ReadsEveryKind) {
+  const auto c = parse("a: 1.5\nn: 3\nb: true\nt: hello\nl: [1, 2.5]\nh: [3, 6]\ns:\n  x: 2\n");
+  EXPECT_EQ(c.number("a", Range::positive()), 1.5);
+  EXPECT_EQ(c.integer("n", 1, 5), 3);
+  EXPECT_TRUE(c.boolean("b"));
+  EXPECT_EQ(c.text("t"), "hello");
+  EXPECT_EQ(c.numbers("l", Range::any(), 2)[1], 2.5);
+  EXPECT_EQ(c.integers("h", 1, 9)[1], 6);
+  EXPECT_EQ(c.section("s").number("x", Range::any()), 2.0);
+  EXPECT_NO_THROW(c.finish());
+}
+
+TEST(ConfigReader, MessagesNameFileLineKeyValueAndLimit) {
+  const auto c = parse("timing:\n  period: -0.1\n  list: [1, 200]\n  word: 1s\n  nan: .nan\n").section("timing");
+  EXPECT_EQ(messageOf([&] { c.number("period", Range::positive("s")); }),
+            "c.yaml:2: timing.period = -0.1; must be > 0 s");
+  EXPECT_EQ(messageOf([&] { c.integers("list", 1, 184); }),
+            "c.yaml:3: timing.list[1] = 200; must be a whole number in 1..184");
+  EXPECT_EQ(messageOf([&] { c.number("word", Range::any("s")); }),
+            "c.yaml:4: timing.word = 1s; must be a finite number in s");
+  EXPECT_EQ(messageOf([&] { c.number("nan", Range::closed(0, 1)); }),
+            "c.yaml:5: timing.nan = .nan; must lie in [0, 1]");
+  EXPECT_EQ(messageOf([&] { c.number("mass", Range::positive("kg")); }),
+            "c.yaml:1: timing.mass is missing; it must be > 0 kg");
+}
+
+TEST(ConfigReader, UnknownAndDuplicateKeysAreErrors) {
+  EXPECT_EQ(messageOf([] { parse("a: 1\nb: 2\na: 3\n"); }), "c.yaml:3: a stands twice (first on line 1); remove one");
+  const auto c = parse("a: 1\nb: 2\n");
+  c.number("a", Range::any());
+  EXPECT_EQ(messageOf([&] { c.finish(); }), "c.yaml:2: b is not a key of this program; known here: a");
+}
+
+TEST(ConfigReader, BrokenYamlNamesTheLine) {
+  EXPECT_EQ(messageOf([] { parse("a: 1\n  b: 2\n"); }).substr(0, 9), "c.yaml:2:");
+  EXPECT_EQ(messageOf([] { parse("just text\n"); }), "c.yaml:1: the file must be a map of keys and values");
+}
