@@ -49,14 +49,24 @@ class Runner(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.tree, name)
 
-    def start(self, *arguments, **fakes):
+    def wrap(self, program, script):
+        """Puts a shell script of this name first in the workspace's PATH."""
+        folder = self.path("build/devel/bin")
+        os.makedirs(folder, exist_ok=True)
+        with open(os.path.join(folder, program), "w") as file:
+            file.write("#!/bin/sh\n%s\n" % script)
+        os.chmod(os.path.join(folder, program), 0o755)
+        with open(self.path("build/devel/setup.sh"), "a") as setup:
+            setup.write('export PATH="%s:$PATH"\n' % folder)
+
+    def start(self, *arguments, stderr=subprocess.PIPE, **fakes):
         env = dict(os.environ, FAKE_PIDS=self.path("pids"), TMPDIR=self.path("tmp"))
         for name in ("CMAKE_PREFIX_PATH", "ROS_PACKAGE_PATH", "ROS_MASTER_URI", "PYTHONPATH"):
             env.pop(name, None)     # as in a shell that has sourced nothing
         env.update({"FAKE_" + name: task for name, task in fakes.items()})
         return subprocess.Popen([self.path("scripts/experiment"), "--config", "config.yaml", "--out", "results/run",
                                  *arguments], cwd=self.tree, env=env, stdin=subprocess.DEVNULL, text=True,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                                stdout=subprocess.PIPE, stderr=stderr)
 
     def finish(self, process, limit=30):
         """(exit code, stdout, stderr); nothing that was started may be left then."""
@@ -67,7 +77,7 @@ class Runner(unittest.TestCase):
         left = processes_with(self.path("pids"))
         for pid in left:
             os.kill(pid, signal.SIGKILL)
-        self.assertEqual(left, {}, "processes outlived the runner; it said: " + stderr)
+        self.assertEqual(left, {}, "processes outlived the runner; it said: %s" % stderr)
         return process.returncode, stdout, stderr
 
     def run_it(self, *arguments, **fakes):
@@ -217,6 +227,50 @@ class Runner(unittest.TestCase):
         code, _, stderr = self.run_it()
         self.assertEqual(code, 5)
         self.assertIn("make build", stderr)
+
+    def test_taken_port_is_changed(self):
+        """The first master finds its port taken, the second one is the real one."""
+        self.wrap("rosmaster", 'if mkdir "$FAKE_PIDS/first" 2>/dev/null; then\n'
+                  '  echo "OSError: [Errno 98] Address already in use" >&2; exec sleep 60\nfi\nexec /usr/bin/rosmaster "$@"')
+        code, stdout, stderr = self.run_it(experiment="answer:0")
+        self.assertEqual((code, stderr), (0, ""))
+        self.assertTrue(os.path.isdir(self.path("pids/first")))
+
+    def test_roslaunch_refuses(self):
+        with open(self.path("launch/experiment.launch"), "w") as launch:
+            launch.write("<launch><node/></launch>")
+        code, _, stderr = self.run_it()
+        self.assertEqual(code, 5)
+        self.assertIn("roslaunch refused to start", stderr)
+
+    def test_killed_runner_takes_its_nodes_along(self):
+        process = self.start(gazebo="stubborn")
+        self.wait_for("gazebo", "time_manager", "experiment")
+        process.kill()
+        process.communicate()
+        end = time.monotonic() + 8   # roslaunch asks twice, a second each
+        while processes_with(self.path("pids")) and time.monotonic() < end:
+            time.sleep(0.1)
+        self.assertEqual(processes_with(self.path("pids")), {})
+
+    def test_parallel_runs_do_not_meet(self):
+        runs = [self.start("--out", "results/%d" % i, experiment="answer:0") for i in range(3)]
+        outputs = [run.communicate(timeout=60) for run in runs]
+        self.assertEqual([run.returncode for run in runs], [0, 0, 0], outputs)
+
+    # --- on a terminal
+
+    def test_the_monitor_gets_the_terminal(self):
+        ours, theirs = os.openpty()
+        self.addCleanup(os.close, ours)
+        process = self.start(stderr=theirs)
+        name = os.ttyname(theirs)
+        os.close(theirs)
+        self.wait_for("monitor", "experiment")
+        arguments = [line for line in processes_with(self.path("pids")).values() if "/monitor " in line]
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(self.finish(process)[0], 130)
+        self.assertIn(" %s " % name, arguments[0])
 
     # --- interrupted
 
