@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "explore_opt/exploration_design.hpp"
 #include "explore_opt/exploration_signal.hpp"
 #include "explore_opt/initial_estimate.hpp"
 #include "quad_control/control_config.hpp"
@@ -12,17 +13,6 @@
 #include "quad_sim/simulation_config.hpp"
 
 namespace quad_experiment {
-
-enum class TimingMode { kLockstep, kWallclock };
-
-/// Section `timing`.
-struct TimingConfig {
-  double sampling_period = 0.0;    ///< dT [s], a whole number of physics steps
-  TimingMode mode = TimingMode::kLockstep;
-  double forgetting_factor = 0.0;  ///< lambda of thesis section 1.2.4, in (0, 1)
-  double latency = 0.0;            ///< [s] from state sample to effective command
-  double jitter_std = 0.0;         ///< [s] of the interval
-};
 
 /// Section `estimate`: the rough model the design starts from, given or drawn as in Table 2.1.
 struct EstimateConfig {
@@ -32,8 +22,6 @@ struct EstimateConfig {
   explore_opt::AltitudeParameters parameters;  ///< dT_hat [s], m_hat [kg]: given, or the result of the draw
 };
 
-enum class DesignMethod { kGlobal, kMajoriseMinimise };
-
 /// Section `design`.
 struct DesignConfig {
   int num_samples = 0;              ///< T
@@ -41,7 +29,7 @@ struct DesignConfig {
   explore_opt::Phase phase = explore_opt::Phase::kSin;
   double gamma_w = 0.0;             ///< bound on the disturbance's energy, Eq. (1.6)
   double desired_closeness = 0.0;   ///< lambda of D_des = lambda I
-  DesignMethod method = DesignMethod::kGlobal;
+  explore_opt::DesignMethod method = explore_opt::DesignMethod::kGlobal;
   bool fly_design = false;          ///< signal: designed (true) or given (false)
   std::vector<double> amplitudes;   ///< [N] with signal: given; with both phases first all cosines, then all sines
   double amplitude_margin = 0.0;    ///< flown = (1 + margin) amplitudes
@@ -49,7 +37,7 @@ struct DesignConfig {
 
 struct ExperimentConfig {
   quad_sim::SimulationConfig simulation;  ///< sections `vehicle` and `simulation`
-  TimingConfig timing;
+  quad_control::TimingConfig timing;
   quad_control::ControlConfig control;
   EstimateConfig estimate;
   DesignConfig design;
@@ -60,9 +48,12 @@ struct ExperimentConfig {
 /// Reads and checks the file. @throws quad_support::ConfigError naming file, line, key, value and limit
 ExperimentConfig readExperimentConfig(const std::string& path);
 
-/// Every value used, as YAML that reads back to the same configuration; paths are absolute, the vehicle's mass and a
-/// drawn estimate are given as numbers.
+/// Every value used, as YAML that reads back to the same configuration: the URDF's path is absolute, a drawn estimate
+/// stands as the numbers drawn.
 std::string toYaml(const ExperimentConfig& config);
+
+/// SHA-256 of every value used and of the URDF's content; the same wherever the files lie.
+std::string configHash(const ExperimentConfig& config);
 
 MiddlewareConfig middlewareConfig(const ExperimentConfig& config);
 

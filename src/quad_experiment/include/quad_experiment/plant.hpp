@@ -6,7 +6,7 @@
 
 #include "quad_control/flight_controller.hpp"
 #include "quad_experiment/middleware.hpp"
-#include "quad_sim/measurement.hpp"
+#include "quad_sim/state.hpp"
 
 namespace quad_experiment {
 

@@ -7,7 +7,7 @@
 
 #include "quad_control/flight_controller.hpp"
 #include "quad_control/mixer.hpp"
-#include "quad_sim/measurement.hpp"
+#include "quad_sim/state.hpp"
 
 namespace quad_experiment {
 

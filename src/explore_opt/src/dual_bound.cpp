@@ -1,0 +1,130 @@
+#include "dual_bound.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace explore_opt {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+bool logDet(const MatrixXd& m, double& value) {
+  const Eigen::LLT<MatrixXd> llt(m);
+  if (llt.info() != Eigen::Success) return false;
+  value = 2.0 * llt.matrixL().toDenseMatrix().diagonal().array().log().sum();
+  return std::isfinite(value);
+}
+
+/// Columns L⁻¹ E_k L⁻ᵀ for each k, with L Lᵀ = m: their products are tr(m⁻¹ E_k m⁻¹ E_l).
+MatrixXd whitened(const MatrixXd& m, const std::vector<MatrixXd>& directions) {
+  const Eigen::LLT<MatrixXd> llt(m);
+  const auto L = llt.matrixL();
+  MatrixXd columns(m.size(), static_cast<Index>(directions.size()));
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const MatrixXd half = L.solve(directions[k]);
+    const MatrixXd both = L.solve(half.transpose());
+    columns.col(static_cast<Index>(k)) = Eigen::Map<const VectorXd>(both.data(), both.size());
+  }
+  return columns;
+}
+
+/// Sum of the diagonals of the n x n matrices stored as columns.
+VectorXd traces(const MatrixXd& columns, Index n) {
+  VectorXd sum = VectorXd::Zero(columns.cols());
+  for (Index i = 0; i < n; ++i) sum += columns.row(i * n + i).transpose();
+  return sum;
+}
+
+/// One Newton step with backtracking; returns the Newton decrement before it.
+double newtonStep(const DualBarrier& barrier, double mu, MatrixXd& Z) {
+  VectorXd gradient;
+  MatrixXd hessian;
+  barrier.derivatives(Z, mu, gradient, hessian);
+  const VectorXd step = -hessian.ldlt().solve(gradient);
+  const double decrement = std::sqrt(std::max(0.0, -gradient.dot(step)));
+  if (!std::isfinite(decrement)) return 0.0;
+  double before = 0.0, after = 0.0;
+  if (!barrier.value(Z, mu, before)) return 0.0;
+  const MatrixXd direction = barrier.matrix(step);
+  for (double t = 1.0; t > 1e-10; t *= 0.5) {
+    const MatrixXd candidate = Z + t * direction;
+    if (barrier.value(candidate, mu, after) && after <= before - 0.1 * t * decrement * decrement + 1e-12) {
+      Z = candidate;
+      return decrement;
+    }
+  }
+  return 0.0;  // no progress in double precision: as centred as it gets
+}
+
+int centre(const DualBarrier& barrier, double mu, MatrixXd& Z) {
+  constexpr int kMaxSteps = 60;
+  int steps = 0;
+  while (steps < kMaxSteps && newtonStep(barrier, mu, Z) > 0.1) ++steps;
+  return steps + 1;
+}
+
+}  // namespace
+
+DualBarrier::DualBarrier(const QuadraticProgram& program) : program_(program) {
+  const int n = program.size();
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      MatrixXd E = MatrixXd::Zero(n, n);
+      E(i, j) = E(j, i) = 1.0;
+      basis_.push_back(E);
+      images_.push_back(2.0 * program.H(E));
+    }
+  }
+  reward_.resize(numVariables());
+  for (int k = 0; k < numVariables(); ++k) {
+    reward_(k) = program.rightSide().cwiseProduct(basis_[static_cast<std::size_t>(k)]).sum();
+  }
+}
+
+MatrixXd DualBarrier::matrix(const VectorXd& z) const {
+  MatrixXd Z = MatrixXd::Zero(program_.size(), program_.size());
+  for (int k = 0; k < numVariables(); ++k) Z += z(k) * basis_[static_cast<std::size_t>(k)];
+  return Z;
+}
+
+MatrixXd DualBarrier::slack(const MatrixXd& Z) const {
+  const int p = program_.numAmplitudes();
+  return MatrixXd::Identity(p, p) - 2.0 * program_.H(Z);
+}
+
+bool DualBarrier::value(const MatrixXd& Z, double mu, double& f) const {
+  double first = 0.0, second = 0.0;
+  if (!logDet(Z, first) || !logDet(slack(Z), second)) return false;
+  f = -program_.rightSide().cwiseProduct(Z).sum() / mu - first - second;
+  return true;
+}
+
+void DualBarrier::derivatives(const MatrixXd& Z, double mu, VectorXd& gradient, MatrixXd& hessian) const {
+  const MatrixXd cone = whitened(Z, basis_), energy = whitened(slack(Z), images_);
+  gradient = -reward_ / mu - traces(cone, program_.size()) + traces(energy, program_.numAmplitudes());
+  hessian = cone.transpose() * cone + energy.transpose() * energy;
+}
+
+DualSolution solveDual(const QuadraticProgram& program, double gap) {
+  const DualBarrier barrier(program);
+  const int n = program.size(), p = program.numAmplitudes();
+  const MatrixXd identity = MatrixXd::Identity(n, n);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(program.H(identity), Eigen::EigenvaluesOnly);
+  DualSolution dual;
+  dual.Z = identity / (4.0 * eigen.eigenvalues()(p - 1));
+  const double last = gap / (n + p);
+  double mu = 0.1 / (n + p);  // the maximum is at most 1/2, the cost of the reference
+  for (;;) {
+    dual.newton_steps += centre(barrier, mu, dual.Z);
+    if (mu <= last) break;
+    mu = std::max(last, 0.1 * mu);
+  }
+  dual.gap = (n + p) * mu;
+  dual.lifted = 2.0 * mu * barrier.slack(dual.Z).llt().solve(MatrixXd::Identity(p, p));
+  return dual;
+}
+
+}  // namespace explore_opt

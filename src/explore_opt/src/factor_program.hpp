@@ -1,0 +1,42 @@
+/// The design problem with the matrix inequality written as N(a) - R = L Lᵀ, for a solver of smooth programs.
+#pragma once
+
+#include "quadratic_program.hpp"
+#include "smooth_program.hpp"
+
+namespace explore_opt {
+
+/// min ½‖a‖² s.t. the lower triangle of N(a) - R - L Lᵀ is zero; L lower triangular, its diagonal of any sign.
+/// Variables: a, then L row by row. Constraints: the lower triangle row by row.
+/// math: ∂c/∂a_i = ∂N/∂a_i; the Hessian of λᵀc is 2 H(Λ) in a and -2 Λ_ik δ_jl in (L_ij, L_kl), Λ = (λ + λᵀ)/2.
+class FactorProgram : public SmoothProgram {
+ public:
+  explicit FactorProgram(const QuadraticProgram& program);
+
+  int numVariables() const override { return p_ + triangle_; }
+  int numConstraints() const override { return triangle_; }
+  bool objective(const Eigen::VectorXd& x, double& f) override;
+  bool gradient(const Eigen::VectorXd& x, Eigen::VectorXd& g) override;
+  void constraints(const Eigen::VectorXd& x, Eigen::VectorXd& c) override;
+  Positions jacobianPositions() const override;
+  void jacobian(const Eigen::VectorXd& x, Eigen::VectorXd& values) override;
+  Positions hessianPositions() const override;
+  bool hessian(const Eigen::VectorXd& x, double weight, const Eigen::VectorXd& multipliers,
+               Eigen::VectorXd& values) override;
+
+  /// a with the factor of N(a) - R (its positive part, where a is not feasible).
+  Eigen::VectorXd startAt(const Eigen::VectorXd& a) const;
+  Eigen::VectorXd amplitudesOf(const Eigen::VectorXd& x) const { return x.head(p_); }
+  /// Z = -Λ of the solver's multipliers, and back.
+  Eigen::MatrixXd certificateOf(const Eigen::VectorXd& multipliers) const;
+  Eigen::VectorXd multipliersOf(const Eigen::MatrixXd& Z) const;
+
+ private:
+  Eigen::MatrixXd lowerOf(const Eigen::VectorXd& x) const;
+  int at(int i, int j) const { return i * (i + 1) / 2 + j; }
+
+  const QuadraticProgram& program_;
+  int p_, n_, triangle_;
+};
+
+}  // namespace explore_opt

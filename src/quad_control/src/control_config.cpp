@@ -1,0 +1,66 @@
+#include "quad_control/control_config.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+namespace quad_control {
+namespace {
+
+using quad_support::ConfigReader;
+using quad_support::Range;
+
+PiGains readGains(const ConfigReader& control, const std::string& key) {
+  const std::vector<double> gains = control.numbers(key, Range::nonNegative(), 4);
+  return {gains[0], gains[1], gains[2], gains[3]};
+}
+
+// Decimal fractions such as 0.1 / 0.001 are whole only up to rounding; a step count is far from 1e9.
+constexpr double kWholeTolerance = 1e-9;
+
+std::int64_t wholeSteps(const ConfigReader& timing, double period, double step) {
+  const double steps = period / step;
+  const double whole = std::round(steps);
+  if (whole < 1.0 || std::abs(steps - whole) > kWholeTolerance * whole) {
+    const double below = std::max(1.0, std::floor(steps));
+    timing.fail("sampling_period", fmt::format("must be a whole number of simulation.step = {} s ({} s or {} s)", step,
+                                               below * step, (below + 1.0) * step));
+  }
+  return static_cast<std::int64_t>(whole);
+}
+
+}  // namespace
+
+ControlConfig readControlConfig(const ConfigReader& control, double sampling_period) {
+  ControlConfig config;
+  config.sampling_period = sampling_period;
+  config.roll_pitch = readGains(control, "roll_pitch");
+  config.yaw = readGains(control, "yaw");
+  config.altitude = readGains(control, "altitude");
+  config.position_loop = control.boolean("position_loop");
+  if (config.position_loop) {
+    control.fail("position_loop", "the outer position loop of thesis Fig. 1.2 is not available; set it to false");
+  }
+  config.hold_time = control.number("hold_time", Range::nonNegative("s"));
+  control.finish();
+  return config;
+}
+
+TimingConfig readTimingConfig(const ConfigReader& timing, double step) {
+  TimingConfig config;
+  config.sampling_period = timing.number("sampling_period", Range::positive("s"));
+  config.steps = wholeSteps(timing, config.sampling_period, step);
+  const std::string mode = timing.choice("mode", {"lockstep", "wallclock"});
+  config.mode = mode == "lockstep" ? TimingMode::kLockstep : TimingMode::kWallclock;
+  config.forgetting_factor = timing.number("forgetting_factor", Range::open(0.0, 1.0));
+  config.latency = timing.number("latency", Range::nonNegative("s"));
+  if (config.latency >= config.sampling_period) {
+    timing.fail("latency", fmt::format("must be below sampling_period = {} s", config.sampling_period));
+  }
+  config.jitter_std = timing.number("jitter_std", Range::nonNegative("s"));
+  timing.finish();
+  return config;
+}
+
+}  // namespace quad_control

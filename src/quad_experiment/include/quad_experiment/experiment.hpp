@@ -1,0 +1,93 @@
+/// The experiment as a straight line: design, signals, flights, identification, verdicts, results.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "explore_opt/exploration_design.hpp"
+#include "quad_control/mixer.hpp"
+#include "quad_experiment/experiment_config.hpp"
+#include "quad_experiment/flight.hpp"
+#include "quad_experiment/plant.hpp"
+#include "quad_experiment/streams.hpp"
+#include "quad_experiment/verdicts.hpp"
+#include "quad_sim/vehicle_model.hpp"
+#include "quad_support/atomic_file.hpp"
+
+namespace quad_experiment {
+
+/// Everything fixed before the first flight.
+struct ExperimentPlan {
+  ExperimentConfig config;
+  quad_sim::VehicleModel vehicle;
+  Knowledge knowledge;
+  InitialVerdict start;
+  explore_opt::ExplorationProblem problem;
+  explore_opt::DesignResult design;
+  std::vector<double> amplitudes;        ///< flown [N], margin included
+  std::vector<double> targeted_signal;   ///< T samples [N]
+  std::vector<double> gaussian_signal;   ///< of the same energy; empty if not asked for
+};
+
+/// The design problem of a configuration: nominal model of the estimate, D_des = lambda I.
+explore_opt::ExplorationProblem designProblem(const ExperimentConfig& config);
+
+/// Designs and generates signals. @throws quad_support::ConfigError as readExperimentConfig(), and NoDesign
+ExperimentPlan planExperiment(const ExperimentConfig& config);
+
+/// The same plan with another seed: vehicle, model and design stay, the random signal is drawn anew.
+ExperimentPlan withSeed(ExperimentPlan plan, std::uint64_t seed);
+
+/// The design that was to be flown does not exist: a negative answer (exit code 3), with the solver's reason.
+class NoDesign : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The flight plan for a signal: hold at the start altitude in equilibrium, then explore.
+FlightSpec flightSpec(const ExperimentPlan& plan, const std::vector<double>& signal, const Middleware& middleware);
+
+/// One flown signal and what it says.
+struct FlightResult {
+  std::string name;  ///< "targeted" or "random": its folder
+  std::string csv;   ///< trajectory.csv
+  Trajectory trajectory;
+  FlightVerdict verdict;
+};
+
+FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight, const FlightProgress& progress = {});
+
+struct ExperimentResult {
+  std::string mode;  ///< "lockstep", "wallclock" (over ROS) or "in_process"
+  std::vector<FlightResult> flights;
+  TimeVerdict time;  ///< of the targeted flight
+  double wall_seconds = 0.0;
+
+  const FlightResult& targeted() const { return flights.front(); }
+  bool ok() const { return targeted().verdict.ok(); }
+  int exitCode() const;
+};
+
+/// What is happening, for whoever watches.
+struct ExperimentStatus {
+  std::string flight;     ///< "targeted", "random"; empty on the ground
+  std::string phase;      ///< "design", "hold", "explore", "identify", "done"
+  double time = 0.0;      ///< simulated [s] in this flight
+  double duration = 0.0;  ///< of this flight, about [s]
+};
+using StatusCallback = std::function<void(const ExperimentStatus&)>;
+
+/// Runs everything and fills `results` (not yet committed): config.yaml, provenance.json and design.json before the first
+/// flight; trajectories, summary.json and table.txt after the last.
+ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant, const std::string& mode,
+                               quad_support::ResultDirectory& results, const StatusCallback& status = {});
+
+/// summary.json.
+nlohmann::ordered_json summaryJson(const ExperimentPlan& plan, const ExperimentResult& result);
+
+/// provenance.json: versions, seed, hashes of everything that was decided before the flight.
+nlohmann::ordered_json provenanceJson(const ExperimentPlan& plan, const std::string& mode);
+
+}  // namespace quad_experiment

@@ -1,0 +1,96 @@
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "commands.hpp"
+#include "quad_experiment/ensemble.hpp"
+#include "quad_experiment/table.hpp"
+#include "quad_support/atomic_file.hpp"
+#include "quad_support/errors.hpp"
+
+namespace {
+
+using namespace quad_experiment;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string results;
+  int seeds = 200;
+  int workers = 0;
+};
+
+/// The run's own number behind a reference's key, from its summary.json.
+double ownValue(const Json& summary, const std::string& key) {
+  const auto dot = key.find('.');
+  const Json& part = summary.at(key.substr(0, dot));
+  const std::string name = key.substr(dot + 1);
+  if (part.is_null()) return std::nan("");
+  const auto entry = [&](const char* matrix, int row, int column) {
+    return part.at(matrix).is_null() ? std::nan("") : part.at(matrix).at(row).at(column).get<double>();
+  };
+  if (name == "A21") return entry("A", 1, 0);
+  if (name == "B1") return entry("B", 0, 0);
+  if (name == "B2") return entry("B", 1, 0);
+  const Json& value = part.at(name);
+  return value.is_null() ? std::nan("") : value.get<double>();
+}
+
+int percentiles(const Options& options) {
+  const Json summary = Json::parse(quad_support::readFile(options.results + "/summary.json"), nullptr, false);
+  if (summary.is_discarded()) throw quad_support::ConfigError(options.results + "/summary.json: not valid JSON");
+  const ExperimentPlan plan = planExperiment(readExperimentConfig(options.results + "/config.yaml"));
+  const int workers = options.workers > 0 ? options.workers : std::max(1u, std::thread::hardware_concurrency());
+  const bool terminal = ::isatty(STDERR_FILENO) != 0;
+  const auto runs = flySeeds(plan, 1, options.seeds, workers, [&](int done) {
+    if (terminal && done % 10 == 0) std::fprintf(stderr, "\r%d of %d seeds", done, options.seeds);
+  });
+  if (terminal) std::fprintf(stderr, "\r\033[K");
+
+  Json out;
+  out["seeds"] = options.seeds;
+  std::string text = fmt::format("this run (seed {}) among {} flights in process, seeds 1 to {}\n{:<28} {:>10} {:>11} {:>11}  {:>24}\n",
+                                 plan.config.seed, options.seeds, options.seeds, "", "thesis", "this run", "percentile",
+                                 "median [5 %, 95 %]");
+  for (const Reference& r : thesisReferences()) {
+    const auto sorted = sortedValues(runs, r.key);
+    const bool flown = r.key.rfind("targeted.", 0) == 0 || r.key.rfind("random.", 0) == 0;
+    if (!flown || sorted.empty()) continue;
+    const double own = ownValue(summary, r.key);
+    const double median = quantile(sorted, 0.5), low = quantile(sorted, 0.05), high = quantile(sorted, 0.95);
+    out["values"][r.key] = {{"this_run", std::isfinite(own) ? Json(own) : Json(nullptr)},
+                            {"percentile", std::isfinite(own) ? Json(percentileOf(sorted, own)) : Json(nullptr)},
+                            {"count", sorted.size()}, {"median", median}, {"p05", low}, {"p95", high}};
+    text += fmt::format("{:<28} {:>10} {:>11.5g} {:>11.1f}  {:>24}\n", r.label, r.printed, own,
+                        std::isfinite(own) ? percentileOf(sorted, own) : std::nan(""),
+                        fmt::format("{:.4g} [{:.4g}, {:.4g}]", median, low, high));
+  }
+  const auto falsified = sortedValues(runs, "random.G");
+  if (!falsified.empty()) {
+    double count = 0;
+    for (const double G : falsified) count += G < 0.0;
+    out["random_falsifies_gamma_w"] = count / static_cast<double>(falsified.size());
+    text += fmt::format("the random signal falsifies gamma_w in {:.0f} % of the seeds\n", 100.0 * count / static_cast<double>(falsified.size()));
+  }
+  quad_support::writeFileAtomically(options.results + "/percentiles.json", out.dump(2) + "\n");
+  std::fputs(text.c_str(), stdout);
+  return quad_support::kDone;
+}
+
+}  // namespace
+
+void addPercentilesCommand(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("percentiles", "Show where a finished run lies among many seeds of the same experiment");
+  command->add_option("--results", options->results, "directory of a finished run; percentiles.json is added to it")
+      ->required()->check(CLI::ExistingDirectory);
+  command->add_option("--seeds", options->seeds, "number of seeds")->capture_default_str()->check(CLI::Range(1, 1000000));
+  command->add_option("--workers", options->workers, "threads; 0: one a core")->capture_default_str()->check(CLI::Range(0, 1024));
+  command->footer("Example:\n  quad_experiment percentiles --results results/thesis --seeds 200");
+  command->callback([options, &chosen] { chosen = [options] { return percentiles(*options); }; });
+}

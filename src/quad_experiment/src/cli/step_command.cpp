@@ -1,0 +1,64 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "commands.hpp"
+#include "quad_experiment/experiment.hpp"
+#include "quad_experiment/in_process_plant.hpp"
+#include "quad_support/atomic_file.hpp"
+#include "quad_support/errors.hpp"
+
+namespace {
+
+using namespace quad_experiment;
+
+struct Options {
+  std::string config, out;
+  double height = 1.0, duration = 20.0;
+  bool force = false;
+};
+
+int step(const Options& options) {
+  const ExperimentConfig config = readExperimentConfig(options.config);
+  const ExperimentPlan plan = planExperiment(config);
+  const Middleware middleware(middlewareConfig(config), config.seed, kTargetedFlight);
+  FlightSpec spec = flightSpec(plan, {}, middleware);
+  spec.plan.references.z += options.height;
+  spec.end_of_hold = options.duration;
+  quad_support::ResultDirectory results(options.out, options.force);
+  results.write("config.yaml", toYaml(config));
+  InProcessPlant plant(config.simulation, config.control);
+  const Trajectory trajectory = fly(plant, spec, middleware);
+  const quad_control::Mixer mixer(quad_control::rotorGeometry(plan.vehicle));
+  results.write("trajectory.csv", toCsv(trajectory, mixer, plan.knowledge.feedforward()));
+  results.commit();
+
+  const TrajectoryRow& before_last = trajectory.rows.at(trajectory.rows.size() - 2);
+  const double weight = plan.vehicle.mass * plan.knowledge.gravity;
+  double overshoot = 0.0;
+  for (const auto& row : trajectory.rows) {
+    const double error = (row.state.odometry.p_WB.z() - spec.plan.references.z) * (options.height < 0 ? -1 : 1);
+    overshoot = std::max(overshoot, error);
+  }
+  std::printf("altitude step of %g m: final error %.3g m, overshoot %.3g m, final thrust %.6f N (m g = %.6f N)\n", options.height,
+              trajectory.rows.back().state.odometry.p_WB.z() - spec.plan.references.z, overshoot, before_last.command.thrust, weight);
+  std::printf("results: %s\n", results.path().c_str());
+  return quad_support::kDone;
+}
+
+}  // namespace
+
+void addStepCommand(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("step", "Fly a step of the reference altitude under PI control (thesis Figs 2.2, 2.3)");
+  command->add_option("--config", options->config, "experiment settings (YAML)")->required();
+  command->add_option("--out", options->out, "directory for trajectory.csv; must not exist")->required();
+  command->add_option("--height", options->height, "[m] step of the reference")->capture_default_str();
+  command->add_option("--duration", options->duration, "[s] length of the flight")->capture_default_str()->check(CLI::Range(0.5, 600.0));
+  command->add_flag("--force", options->force, "replace an existing results directory");
+  command->footer("Example:\n  quad_experiment step --config config/exact.yaml --out results/step --height 1");
+  command->callback([options, &chosen] { chosen = [options] { return step(*options); }; });
+}

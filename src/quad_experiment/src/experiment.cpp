@@ -1,0 +1,164 @@
+#include "quad_experiment/experiment.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "explore_opt/altitude_model.hpp"
+#include "explore_opt/design_json.hpp"
+#include "explore_opt/exploration_signal.hpp"
+#include "quad_experiment/table.hpp"
+#include "quad_support/errors.hpp"
+
+namespace quad_experiment {
+namespace {
+
+std::vector<double> toSamples(const Eigen::MatrixXd& signal) { return {signal.data(), signal.data() + signal.size()}; }
+
+std::vector<double> flownAmplitudes(const ExperimentConfig& config, const explore_opt::DesignResult& design) {
+  std::vector<double> amplitudes = config.design.amplitudes;
+  if (config.design.fly_design) {
+    if (!design.feasible()) throw NoDesign("no exploration signal: " + design.message);
+    amplitudes = toSamples(design.amplitudes);
+  }
+  for (double& a : amplitudes) a *= 1.0 + config.design.amplitude_margin;
+  return amplitudes;
+}
+
+std::vector<double> gaussian(const ExperimentPlan& plan) {
+  double energy = 0.0;
+  for (const double u : plan.targeted_signal) energy += u * u;
+  return toSamples(explore_opt::gaussianSignal(energy, 1, plan.config.design.num_samples, plan.config.seed, 0,
+                                               kSignalStream + kGaussianFlight));
+}
+
+std::uint64_t holdIntervals(const ExperimentConfig& config) {
+  return static_cast<std::uint64_t>(std::llround(config.control.hold_time / config.timing.sampling_period));
+}
+
+/// Altitude [m] of base_link at which a level vehicle touches the ground, with a margin for a landing between samples.
+double groundClearance(const quad_sim::VehicleModel& vehicle) {
+  constexpr double kMargin = 0.005;  // [m]: contact is soft, the vehicle rests a little above or below
+  double clearance = 0.0;
+  for (const auto& box : vehicle.boxes) {
+    clearance = std::max(clearance, 0.5 * box.size.z() - box.X_BC.translation().z());
+  }
+  return clearance + kMargin;
+}
+
+std::int64_t stepNanoseconds(const ExperimentConfig& config) { return std::llround(config.simulation.options.step * 1e9); }
+
+}  // namespace
+
+explore_opt::ExplorationProblem designProblem(const ExperimentConfig& config) {
+  const auto& estimate = config.estimate.parameters;
+  const auto model =
+      explore_opt::altitudeModel(estimate.mass, estimate.sampling_period, config.simulation.options.gravity);
+  explore_opt::ExplorationProblem problem;
+  problem.A = model.A;
+  problem.B = model.B;
+  problem.lines.num_samples = config.design.num_samples;
+  problem.lines.harmonics = config.design.harmonics;
+  problem.phase = config.design.phase;
+  problem.gamma_w = config.design.gamma_w;
+  problem.D_des = Eigen::MatrixXd::Constant(1, 1, config.design.desired_closeness);
+  return problem;
+}
+
+ExperimentPlan planExperiment(const ExperimentConfig& config) {
+  ExperimentPlan plan;
+  plan.config = config;
+  plan.vehicle = quad_sim::loadVehicle(config.simulation);
+  plan.knowledge = {{config.timing.sampling_period, plan.vehicle.mass},
+                    config.estimate.parameters,
+                    config.simulation.options.gravity,
+                    config.design.num_samples,
+                    config.design.gamma_w,
+                    config.design.desired_closeness};
+  plan.start = judgeStart(plan.knowledge);
+  plan.problem = designProblem(config);
+  explore_opt::DesignOptions options;
+  options.method = config.design.method;
+  plan.design = explore_opt::designExploration(plan.problem, options);
+  plan.amplitudes = flownAmplitudes(config, plan.design);
+  const auto rows = static_cast<Eigen::Index>(plan.amplitudes.size());
+  plan.targeted_signal = toSamples(explore_opt::multisine(plan.problem.lines, plan.problem.phase,
+                                                          Eigen::Map<const Eigen::MatrixXd>(plan.amplitudes.data(), rows, 1)));
+  if (config.fly_gaussian) plan.gaussian_signal = gaussian(plan);
+  return plan;
+}
+
+ExperimentPlan withSeed(ExperimentPlan plan, std::uint64_t seed) {
+  plan.config.seed = seed;
+  if (plan.config.fly_gaussian) plan.gaussian_signal = gaussian(plan);
+  return plan;
+}
+
+FlightSpec flightSpec(const ExperimentPlan& plan, const std::vector<double>& signal, const Middleware& middleware) {
+  const ExperimentConfig& config = plan.config;
+  FlightSpec spec;
+  spec.plan.references.z = config.simulation.initial_altitude;
+  spec.plan.feed_forward_mass = plan.knowledge.estimate.mass;
+  spec.plan.gravity = plan.knowledge.gravity;
+  // The integral part carries what the feed-forward leaves, so that the hold begins in equilibrium.
+  spec.plan.initial_altitude_effort =
+      quad_control::equilibriumEffort(plan.vehicle.mass, plan.knowledge.estimate.mass, plan.knowledge.gravity);
+  spec.plan.exploration_signal = signal;
+  spec.plan.exploration_start_ns =
+      config.timing.mode == quad_control::TimingMode::kWallclock
+          ? std::llround(config.control.hold_time * 1e9)
+          : middleware.totalSteps(holdIntervals(config)) * stepNanoseconds(config);
+  spec.end_of_hold = config.control.hold_time;
+  spec.ground_clearance = groundClearance(plan.vehicle);
+  spec.expect_ground = config.simulation.options.ground;
+  return spec;
+}
+
+FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight, const FlightProgress& progress) {
+  const Middleware middleware(middlewareConfig(plan.config), plan.config.seed, flight);
+  const std::vector<double>& signal = flight == kTargetedFlight ? plan.targeted_signal : plan.gaussian_signal;
+  const quad_control::Mixer mixer = quad_control::Mixer(quad_control::rotorGeometry(plan.vehicle));
+  const double feedforward = plan.knowledge.feedforward();
+  FlightResult result;
+  result.name = flight == kTargetedFlight ? "targeted" : "random";
+  result.trajectory = fly(plant, flightSpec(plan, signal, middleware), middleware, progress);
+  result.csv = toCsv(result.trajectory, mixer, feedforward);
+  result.verdict = judgeFlight(plan.knowledge, explorationData(result.trajectory, mixer, feedforward), result.trajectory);
+  return result;
+}
+
+int ExperimentResult::exitCode() const { return ok() ? quad_support::kDone : quad_support::kNegativeAnswer; }
+
+ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant, const std::string& mode,
+                               quad_support::ResultDirectory& results, const StatusCallback& status) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto tell = [&](const ExperimentStatus& s) {
+    if (status) status(s);
+  };
+  tell({"", "design", 0.0, 0.0});
+  const ExperimentPlan plan = planExperiment(config);
+  results.write("config.yaml", toYaml(config));
+  results.write("design.json", explore_opt::designToJson(plan.problem, plan.design).dump(2) + "\n");
+  results.write("provenance.json", provenanceJson(plan, mode).dump(2) + "\n");
+
+  ExperimentResult result;
+  result.mode = mode;
+  const double duration = config.control.hold_time + config.design.num_samples * config.timing.sampling_period;
+  std::vector<Flight> flights = {kTargetedFlight};
+  if (config.fly_gaussian) flights.push_back(kGaussianFlight);
+  for (const Flight flight : flights) {
+    const std::string name = flight == kTargetedFlight ? "targeted" : "random";
+    result.flights.push_back(flyAndJudge(plan, plant, flight, [&](double time) {
+      tell({name, time < config.control.hold_time ? "hold" : "explore", time, duration});
+    }));
+    results.write(name + "/trajectory.csv", result.flights.back().csv);
+  }
+  result.time = judgeTime(result.targeted().trajectory, config.timing.sampling_period);
+  result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  results.write("summary.json", summaryJson(plan, result).dump(2) + "\n");
+  results.write("table.txt", comparisonTable(plan, result));
+  tell({"", "done", 0.0, 0.0});
+  return result;
+}
+
+}  // namespace quad_experiment

@@ -1,0 +1,94 @@
+#include "quad_experiment/experiment_config.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <set>
+
+#include "quad_experiment/streams.hpp"
+#include "quad_support/config_reader.hpp"
+
+namespace quad_experiment {
+
+using quad_support::ConfigReader;
+using quad_support::Range;
+
+namespace {
+
+constexpr std::int64_t kMaxSeed = 9007199254740992;  // 2^53: read back exactly by every JSON and YAML reader
+constexpr std::int64_t kMaxSamples = 1000000;
+
+EstimateConfig readEstimate(const ConfigReader& in, const explore_opt::AltitudeParameters& truth) {
+  EstimateConfig c;
+  c.drawn = in.has("draw");
+  if (c.drawn) {
+    if (in.has("sampling_period") || in.has("mass")) in.fail("draw", "replaces sampling_period and mass; give one or the other");
+    const ConfigReader draw = in.section("draw");
+    c.closeness = draw.number("closeness", Range::positive());
+    c.seed = static_cast<std::uint64_t>(draw.integer("seed", 0, kMaxSeed));
+    draw.finish();
+    c.parameters = explore_opt::drawInitialEstimate(truth, c.closeness, c.seed).parameters;
+  } else {
+    c.parameters.sampling_period = in.number("sampling_period", Range::positive("s"));
+    c.parameters.mass = in.number("mass", Range::positive("kg"));
+  }
+  in.finish();
+  return c;
+}
+
+std::vector<int> readHarmonics(const ConfigReader& in, int num_samples) {
+  const int largest = (num_samples - 1) / 2;  // the largest whole number below T/2
+  std::vector<int> harmonics;
+  std::set<int> seen;
+  for (const auto value : in.integers("harmonics", 1, largest)) {
+    const int h = static_cast<int>(value);
+    if (!seen.insert(h).second) {
+      in.fail("harmonics", fmt::format("stands twice; lines must be distinct, 0 < h < T/2 = {}", num_samples / 2.0),
+              static_cast<int>(harmonics.size()));
+    }
+    harmonics.push_back(h);
+  }
+  return harmonics;
+}
+
+DesignConfig readDesign(const ConfigReader& in) {
+  DesignConfig c;
+  c.num_samples = static_cast<int>(in.integer("num_samples", 3, kMaxSamples));
+  c.harmonics = readHarmonics(in, c.num_samples);
+  c.phase = explore_opt::phaseFromString(in.choice("phase", {"sin", "cos", "both"}));
+  c.gamma_w = in.number("gamma_w", Range::positive());
+  c.desired_closeness = in.number("desired_closeness", Range::positive());
+  c.method = explore_opt::methodFromString(in.choice("method", {"global", "mm"}));
+  c.fly_design = in.choice("signal", {"given", "designed"}) == "designed";
+  const std::size_t carriers = c.harmonics.size() * (c.phase == explore_opt::Phase::kBoth ? 2 : 1);
+  if (!c.fly_design || in.has("amplitudes")) c.amplitudes = in.numbers("amplitudes", Range::any("N"), carriers);
+  c.amplitude_margin = in.number("amplitude_margin", Range::closed(0.0, 10.0));
+  in.finish();
+  return c;
+}
+
+}  // namespace
+
+ExperimentConfig readExperimentConfig(const std::string& path) {
+  const ConfigReader in = ConfigReader::fromFile(path);
+  ExperimentConfig c;
+  c.simulation = quad_sim::readSimulationConfig(in.section("vehicle"), in.section("simulation"));
+  c.timing = quad_control::readTimingConfig(in.section("timing"), c.simulation.options.step);
+  c.control = quad_control::readControlConfig(in.section("control"), c.timing.sampling_period);
+  const double mass = quad_sim::loadVehicle(c.simulation).mass;
+  c.estimate = readEstimate(in.section("estimate"), {c.timing.sampling_period, mass});
+  c.design = readDesign(in.section("design"));
+  for (const auto& signal : in.choices("comparison", {"gaussian"})) {
+    if (c.fly_gaussian) in.fail("comparison", signal + " stands twice");
+    c.fly_gaussian = true;
+  }
+  c.seed = static_cast<std::uint64_t>(in.integer("seed", 0, kMaxSeed));
+  in.finish();
+  return c;
+}
+
+MiddlewareConfig middlewareConfig(const ExperimentConfig& config) {
+  return {config.timing.sampling_period, config.timing.latency, config.timing.jitter_std, config.simulation.options.step};
+}
+
+}  // namespace quad_experiment

@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include "quad_experiment/experiment_config.hpp"
+#include "quad_support/errors.hpp"
+#include "scratch.hpp"
+
+using namespace quad_experiment;
+
+namespace {
+
+std::string complaint(const std::vector<std::pair<std::string, std::string>>& changes) {
+  const Scratch scratch;
+  const std::string path = scratch.path("c.yaml");
+  quad_support::writeFileAtomically(path, shippedConfig("thesis.yaml", changes));
+  try {
+    readExperimentConfig(path);
+  } catch (const quad_support::ConfigError& e) {
+    return std::string(e.what()).substr(path.size() - 6);  // from "c.yaml:" on
+  }
+  return "no error";
+}
+
+void expectComplaint(const std::vector<std::pair<std::string, std::string>>& changes, const std::vector<std::string>& parts) {
+  const std::string message = complaint(changes);
+  for (const auto& part : parts) EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+}
+
+}  // namespace
+
+TEST(ExperimentConfig, ShippedFilesAreValid) {
+  for (const char* name : {"thesis.yaml", "exact.yaml", "wallclock.yaml", "smoke.yaml"}) {
+    SCOPED_TRACE(name);
+    EXPECT_NO_THROW(readExperimentConfig(std::string("config/") + name));
+  }
+}
+
+TEST(ExperimentConfig, ResolvedYamlReadsBackToTheSameConfiguration) {
+  const ExperimentConfig config = readExperimentConfig("config/thesis.yaml");
+  const Scratch scratch;
+  quad_support::writeFileAtomically(scratch.path("c.yaml"), toYaml(config));
+  const ExperimentConfig again = readExperimentConfig(scratch.path("c.yaml"));
+  EXPECT_EQ(toYaml(again), toYaml(config));
+  EXPECT_EQ(configHash(again), configHash(config));
+}
+
+TEST(ExperimentConfig, MistakesNameKeyValueAndLimit) {
+  expectComplaint({{"gamma_w: 20.0", "gamma_w: -1"}}, {"c.yaml:", "design.gamma_w = -1", "must be > 0"});
+  expectComplaint({{"gamma_w: 20.0", "gamma_w: .nan"}}, {"design.gamma_w = .nan", "must be > 0"});
+  expectComplaint({{"[3, 6, 8, 10]", "[3, 6, 6, 10]"}}, {"design.harmonics[2] = 6", "stands twice", "T/2 = 185"});
+  expectComplaint({{"[3, 6, 8, 10]", "[3, 6, 8.5, 10]"}}, {"design.harmonics[2] = 8.5", "whole number in 1..184"});
+  expectComplaint({{"[3, 6, 8, 10]", "[3, 6, 8, 185]"}}, {"design.harmonics[3] = 185", "whole number in 1..184"});
+  expectComplaint({{"sampling_period: 0.1 ", "sampling_period: 0.1005 "}}, {"timing.sampling_period = 0.1005", "0.001"});
+  expectComplaint({{"mass: 0.73 ", "mass: -0.73 "}}, {"vehicle.mass = -0.73"});
+  expectComplaint({{"seed: 1 ", "sede: 1 "}}, {"seed is missing"});
+  expectComplaint({{"seed: 1 ", "seed: 1\nextra: 1 "}}, {"extra is not a key"});
+  expectComplaint({{"method: global", "method: best"}}, {"design.method = best", "must be one of: global, mm"});
+  expectComplaint({{"[0.04, 0.94, 1.76, -2.62]", "[0.04, 0.94]"}}, {"design.amplitudes", "list of 4 numbers"});
+  expectComplaint({{"latency: 0.045", "latency: 0.1"}}, {"timing.latency = 0.1"});
+  expectComplaint({{"gamma_w: 20.0", "gamma_w: 20.0\n  gamma_w: 21.0"}}, {"design.gamma_w stands twice"});
+  expectComplaint({{"urdf: hummingbird.urdf", "urdf: none.urdf"}}, {"vehicle.urdf = none.urdf"});
+}
+
+TEST(ExperimentConfig, EstimateCanBeDrawn) {
+  const Scratch scratch;
+  const std::string path = scratch.path("c.yaml");
+  const std::string draw = "draw: {closeness: 50, seed: 1}\n";
+  std::string text = shippedConfig("thesis.yaml");
+  const auto from = text.find("  sampling_period: 0.1635");
+  const auto to = text.find("design:");
+  ASSERT_NE(from, std::string::npos);
+  text.replace(from, to - from, "  " + draw);
+  quad_support::writeFileAtomically(path, text);
+  const ExperimentConfig config = readExperimentConfig(path);
+  const explore_opt::AltitudeParameters truth = {0.1, 0.73};
+  // The draw is scaled to the closeness asked for: by definition, up to the bisection's rounding.
+  EXPECT_NEAR(explore_opt::closenessOfEstimate(truth, config.estimate.parameters), 50.0, 1e-9);
+}

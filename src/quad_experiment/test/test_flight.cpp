@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "quad_experiment/flight.hpp"
+#include "quad_support/errors.hpp"
+
+using namespace quad_experiment;
+
+namespace {
+
+constexpr std::int64_t kMillisecond = 1000000;
+
+/// Moves up by a metre a second; answers with its time as thrust. What a plant does is not the loop's business.
+class FakePlant : public Plant {
+ public:
+  quad_sim::Measurement begin(const quad_control::FlightPlan&) override {
+    now_ = {};
+    now_.odometry.p_WB.z() = 100.0;
+    now_.rotor_speed = {1, 2, 3, 4};
+    return now_;
+  }
+  quad_sim::Measurement advance(const Interval& interval) override {
+    quad_control::ControlOutput command;
+    command.time_ns = now_.odometry.time_ns;
+    command.thrust = static_cast<double>(command.time_ns);
+    commands_.push_back(command);
+    now_.odometry.time_ns += interval.steps * kMillisecond;
+    now_.odometry.p_WB.z() += z_per_interval;
+    if (now_.odometry.time_ns == nan_at_ns) now_.odometry.p_WB.x() = std::numeric_limits<double>::quiet_NaN();
+    return now_;
+  }
+  std::vector<quad_control::ControlOutput> end() override { return commands_; }
+
+  double z_per_interval = 0.1;
+  std::int64_t nan_at_ns = -1;
+  std::vector<quad_control::ControlOutput> commands_;
+  quad_sim::Measurement now_;
+};
+
+FlightSpec spec(std::size_t samples) {
+  FlightSpec spec;
+  spec.plan.exploration_signal.assign(samples, 1.0);
+  spec.plan.exploration_start_ns = 500 * kMillisecond;
+  spec.ground_clearance = 0.06;
+  return spec;
+}
+
+const Middleware kExact({0.1, 0.0, 0.0, 0.001}, 1, 0);
+
+}  // namespace
+
+TEST(Fly, HoldsThenExploresAllSamplesAndOneMoreState) {
+  FakePlant plant;
+  const Trajectory trajectory = fly(plant, spec(7), kExact);
+  ASSERT_EQ(trajectory.rows.size(), 5u + 8u);
+  EXPECT_EQ(trajectory.firstExplored(), 5u);
+  EXPECT_TRUE(trajectory.rows.back().last);
+  EXPECT_FALSE(trajectory.rows[11].last);
+  for (std::size_t i = 0; i + 1 < trajectory.rows.size(); ++i) {
+    EXPECT_EQ(trajectory.rows[i].command.thrust, static_cast<double>(trajectory.rows[i].state.odometry.time_ns));
+    EXPECT_EQ(trajectory.rows[i].next_time_ns, trajectory.rows[i + 1].state.odometry.time_ns);
+  }
+}
+
+TEST(Fly, WithoutSignalItEndsAfterTheHold) {
+  FakePlant plant;
+  FlightSpec hold = spec(0);
+  hold.end_of_hold = 2.0;
+  const Trajectory trajectory = fly(plant, hold, kExact);
+  EXPECT_EQ(trajectory.rows.size(), 21u);
+  EXPECT_EQ(trajectory.firstExplored(), 21u);
+}
+
+TEST(Fly, GroundAndDivergenceEndTheFlight) {
+  FakePlant sinking;
+  sinking.z_per_interval = -30.0;
+  EXPECT_THROW(fly(sinking, spec(7), kExact), quad_support::SimulationError);
+  FlightSpec no_ground = spec(7);
+  no_ground.expect_ground = false;
+  FakePlant again;
+  again.z_per_interval = -30.0;
+  EXPECT_NO_THROW(fly(again, no_ground, kExact));
+  FakePlant diverging;
+  diverging.nan_at_ns = 300 * kMillisecond;
+  EXPECT_THROW(fly(diverging, spec(7), kExact), quad_support::SimulationError);
+}
+
+TEST(Fly, AMissingCommandIsAnError) {
+  class Forgetful : public FakePlant {
+    std::vector<quad_control::ControlOutput> end() override { return {}; }
+  };
+  Forgetful plant;
+  EXPECT_THROW(fly(plant, spec(7), kExact), quad_support::EnvironmentError);
+}
