@@ -58,6 +58,47 @@ class Setup(Tree):
         self.assertEqual(self.run_it("scripts/setup"), (0, "", ""))
         self.assertEqual(sorted(os.walk(self.tree)), before)
 
+    def pretend(self, **programs):
+        """PATH with these shell scripts in front of the real programs; each call is noted in calls.txt."""
+        for name, script in programs.items():
+            self.write("bin/" + name, '#!/bin/sh\necho "%s $*" >>"%s"\n%s\n' % (name, self.path("calls.txt"), script), 0o755)
+        return self.path("bin") + ":" + os.environ["PATH"]
+
+    def calls(self):
+        with open(self.path("calls.txt")) as file:
+            return [line.split()[:3] for line in file]
+
+    def test_installs_only_what_is_missing_with_sudo(self):
+        self.write("packages.txt", "dpkg\nno-such-package\n")
+        path = self.pretend(sudo='exec "$@"', id="echo 1000", **{"apt-get": 'case "$*" in *" dpkg"*) exit 9;; esac'})
+        code, stdout, stderr = self.run_it("scripts/setup", PATH=path)
+        self.assertEqual((code, stdout, stderr), (0, "", "scripts/setup: installing no-such-package\n"))
+        self.assertEqual([c[:2] for c in self.calls() if c[0] != "id"],
+                         [["sudo", "apt-get"], ["apt-get", "update"], ["sudo", "env"], ["apt-get", "install"]])
+
+    def test_root_needs_no_sudo(self):
+        self.write("packages.txt", "no-such-package\n")
+        path = self.pretend(sudo="exit 9", id="echo 0", **{"apt-get": ""})
+        self.assertEqual(self.run_it("scripts/setup", PATH=path)[0], 0)
+        self.assertNotIn("sudo", [c[0] for c in self.calls()])
+
+    def test_failed_installation(self):
+        self.write("packages.txt", "no-such-package\n")
+        path = self.pretend(id="echo 0", **{"apt-get": "exit 100"})
+        code, _, stderr = self.run_it("scripts/setup", PATH=path)
+        self.assertEqual(code, 5)
+        self.assertIn("run it by hand to see why: apt-get install no-such-package", stderr)
+
+    def test_a_failed_download_leaves_what_was_there(self):
+        self.write("requirements.txt", "xacro==1.13.3\n")
+        self.write(".deps/python/xacro.py", "")
+        code, _, stderr = self.run_it("scripts/setup", PIP_INDEX_URL="http://127.0.0.1:9/", PIP_RETRIES="0",
+                                      PIP_CONFIG_FILE="/dev/null", PIP_NO_INDEX="1")
+        self.assertEqual(code, 5)
+        self.assertIn("pip could not fetch xacro==1.13.3", stderr)
+        self.assertTrue(os.path.exists(self.path(".deps/python/xacro.py")))
+        self.assertEqual(sorted(os.listdir(self.tree)), [".deps", "packages.txt", "requirements.txt", "scripts"])
+
     def test_unknown_argument(self):
         self.assertEqual(self.run_it("scripts/setup", "--chekc")[0], 2)
 
