@@ -52,7 +52,8 @@ class LaunchFiles(unittest.TestCase):
             nodes = list(ElementTree.parse(os.path.join(LAUNCH, name)).getroot().iter("node"))
             self.assertTrue(nodes)
             for node in nodes:
-                self.assertEqual(node.get("required") == "true", node.get("name") != "monitor", node.get("name"))
+                required = node.get("required", "").replace("$(arg required)", "true") == "true"
+                self.assertEqual(required, node.get("name") != "monitor", node.get("name"))
 
 
 if __name__ == "__main__":
