@@ -228,6 +228,11 @@ class Runner(unittest.TestCase):
                 self.assertIn("%s was lost" % name, stderr.splitlines()[0])
                 self.assertEqual(os.listdir(self.path("results")), [], "half-written results are left")
 
+    def test_experiment_ended_from_outside(self):
+        code, _, stderr = self.run_it(experiment="answer:143:interrupted")
+        self.assertEqual(code, 5)
+        self.assertIn("the experiment node was ended from outside (killed by SIGTERM)", stderr)
+
     def test_missing_program(self):
         os.remove(self.path("build/devel/lib/quad_sim/quad_sim_node"))
         code, _, stderr = self.run_it()
