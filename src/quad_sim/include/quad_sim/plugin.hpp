@@ -1,0 +1,60 @@
+/// The one interface behind which rotors, wind and the like act on the vehicle.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "quad_sim/vehicle_model.hpp"
+
+namespace quad_sim {
+
+/// What a plugin sees at the start of a physics step.
+struct StepInput {
+  Eigen::Vector3d v_WC_B;  ///< velocity of the centre of mass through the air, body axes [m/s]
+  Eigen::Vector3d w_WB_B;  ///< [rad/s]
+  const double* command;   ///< commanded rotor speeds [rad/s], within [0, max_speed], by motor number
+};
+
+/// What the plugins put on the body during the step, means over the step; each adds its share.
+struct StepLoad {
+  Eigen::Vector3d force_B;   ///< [N], body axes
+  Eigen::Vector3d torque_B;  ///< about the centre of mass [N m], body axes
+  /// Angular momentum of turning parts relative to the body [N m s], body axes: mean over the step, and at its end.
+  Eigen::Vector3d momentum_mean_B, momentum_end_B;
+};
+
+/// A part of the vehicle with forces of its own. One object serves all declarations of one filename.
+class Plugin {
+ public:
+  virtual ~Plugin() = default;
+  /// Moves the plugin's own state by one physics step and adds its load. Must not allocate.
+  virtual void step(const StepInput& input, StepLoad& load) = 0;
+  /// Takes over the part of a state that is the plugin's. Everything else it remembers starts afresh.
+  virtual void restore(const VehicleState& state) = 0;
+  /// Writes its part of the state.
+  virtual void save(VehicleState& state) const = 0;
+  /// Angular momentum now of turning parts relative to the body [N m s], body axes.
+  virtual Eigen::Vector3d momentum() const { return Eigen::Vector3d::Zero(); }
+};
+
+/// What a plugin library is to the simulator.
+enum class PluginRole {
+  kForce,    ///< made by makePlugin()
+  kSensor,   ///< read into VehicleModel::sensors
+  kOutside,  ///< part of the simulator itself or of its ROS node (controller interface, multirotor base)
+  kIgnored,  ///< known and without effect in this version; VehicleModel users may tell
+};
+
+/// Filenames the registry knows, sorted.
+std::vector<std::string> knownPlugins();
+
+/// @throws quad_support::ConfigError naming the element and the known filenames
+PluginRole pluginRole(const PluginDeclaration& declaration);
+
+/// Makes the force plugins a vehicle declares, one per filename, in the order they first appear.
+/// @param step  physics step [s]
+std::vector<std::unique_ptr<Plugin>> makePlugins(const VehicleModel& model, double step);
+
+}  // namespace quad_sim

@@ -1,0 +1,80 @@
+/// The plant: a vehicle, its plugins and a rigid-body world, moved in fixed steps of integer time.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "quad_sim/state.hpp"
+#include "quad_sim/vehicle_model.hpp"
+
+namespace quad_sim {
+
+enum class Multibody { kFolded, kHinged };      ///< rotors folded into one body, or bodies of their own
+enum class Profile { kDefault, kRotorsCompat };  ///< correct physics, or RotorS with its quirks
+
+struct SimulatorOptions {
+  double step = 0.001;    ///< physics step [s], a whole number of nanoseconds
+  double gravity = 9.8;   ///< along -z [m/s²], >= 0
+  Multibody multibody = Multibody::kFolded;
+  Profile profile = Profile::kDefault;
+  bool ground = true;     ///< contact plane at z = 0
+};
+
+/// Commands setCommand() did not take as they were, since reset.
+struct CommandCounts {
+  std::int64_t accepted = 0;
+  std::int64_t clamped = 0;  ///< some speed was negative or above the rotor's maximum
+  std::int64_t refused = 0;  ///< wrong length or not a number: the earlier command stays
+};
+
+/// One vehicle in a world of its own. Deterministic: the same calls after reset() give the same bits.
+/// One thread at a time; several simulators may live in several threads.
+class Simulator {
+ public:
+  /// Starts at rest at the origin, level, on the ground (at the lowest box's rest height if there is one), rotors still.
+  /// @throws std::invalid_argument naming the option, value and limit; also for modes this version does not have
+  Simulator(const VehicleModel& model, const SimulatorOptions& options);
+  ~Simulator();
+  Simulator(Simulator&&) noexcept;
+  Simulator& operator=(Simulator&&) noexcept;
+
+  const VehicleModel& model() const;
+  const SimulatorOptions& options() const;
+
+  /// Sets the state reset() goes back to, and goes there (time 0). The command becomes the state's rotor speeds.
+  /// @throws std::invalid_argument: not finite, wrong number of rotors, speed outside [0, max], zero quaternion
+  void setStartState(const VehicleState& state);
+  void reset();       ///< everything as at the start: state, command, counts, time
+  void resetWorld();  ///< the same, but time goes on
+  /// Puts the vehicle into another state; time, command and counts stay. @throws as setStartState()
+  void setState(const VehicleState& state);
+
+  /// Rotor speeds [rad/s], unsigned, by motor number, held from now on; clamped to [0, max_speed] and counted if so.
+  /// @throws quad_support::DataError for a wrong length or a value that is not finite; the earlier command stays
+  void setCommand(const std::vector<double>& rotor_speeds);
+  const std::vector<double>& command() const;
+  const CommandCounts& commandCounts() const;
+
+  /// Moves time by `steps` physics steps (>= 0). Allocates nothing.
+  /// @throws quad_support::SimulationError if the state is no longer finite
+  void advance(int steps);
+
+  std::int64_t stepCount() const;         ///< since reset()
+  std::int64_t stepNanoseconds() const;   ///< length of a step
+  std::int64_t timeNanoseconds() const;   ///< stepCount() * stepNanoseconds()
+  VehicleState state() const;
+  Measurement measure() const;            ///< ideal odometry of base_link's origin, and the rotor speeds
+  void measure(Measurement& out) const;   ///< the same into an existing one: no allocation after the first
+  Odometry odometry(const SensorModel& sensor) const;  ///< ideal odometry of a sensor's frame
+
+  bool groundContact() const;  ///< the vehicle has touched the ground since reset
+  std::optional<std::int64_t> groundContactTime() const;  ///< first contact since reset [ns]
+
+ private:
+  struct World;
+  std::unique_ptr<World> world_;
+};
+
+}  // namespace quad_sim

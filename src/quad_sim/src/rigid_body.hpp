@@ -1,0 +1,60 @@
+/// One rigid body in an ODE world, with turning parts inside. Not installed.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <memory>
+#include <vector>
+
+#include "quad_sim/plugin.hpp"
+#include "quad_sim/vehicle_model.hpp"
+
+namespace quad_sim {
+
+/// The vehicle as one ODE body at its centre of mass C.
+///
+/// ODE moves and turns the body and solves the contacts; forces come in as changes of momentum made here. The angular
+/// momentum about C is kept in world axes, the turning parts' share included, so gyroscopic torque and spin-up
+/// reaction need no term of their own and torque-free tumbling conserves it. The rate ODE turns the body with solves
+/// the implicit midpoint rule, which conserves the rotational energy too (ODE's own gyroscopic modes dissipate it).
+class RigidBody {
+ public:
+  /// @param step [s], @param gravity along -z [m/s²], @param ground contact plane at z = 0
+  RigidBody(const VehicleModel& model, double step, double gravity, bool ground);
+  ~RigidBody();
+  RigidBody(const RigidBody&) = delete;
+  RigidBody& operator=(const RigidBody&) = delete;
+
+  /// Takes pose and velocity; momentum_B [N m s] is that of the turning parts relative to the body.
+  void restore(const VehicleState& state, const Eigen::Vector3d& momentum_B);
+  void save(VehicleState& state) const;  ///< pose and velocity of base_link's origin
+
+  /// Velocities in body axes for the plugins.
+  void motion(StepInput& input) const {
+    input.v_WC_B = v_C_B_;
+    input.w_WB_B = w_B_;
+  }
+  /// One physics step under the load. Returns whether the body touched the ground.
+  bool step(const StepLoad& load);
+  bool isFinite() const;
+
+ private:
+  struct Ode;
+
+  /// Rate [rad/s, body axes] of the step's rotation: w = I^-1 (Pi_mid - momentum), Pi_mid = Pi + (h/2) Pi_mid x (c w).
+  Eigen::Vector3d midpointRate(const Eigen::Vector3d& Pi, const Eigen::Vector3d& momentum_B) const;
+  int collide(const Eigen::Matrix3d& R_WB);
+  void stepInContact(const Eigen::Matrix3d& R, const StepLoad& load, const Eigen::Vector3d& torque_W);
+  void refreshBodyRates(const Eigen::Vector3d& momentum_B);
+
+  double h_, gravity_, mass_;
+  Eigen::Vector3d com_B_;
+  Eigen::Matrix3d inertia_, inverse_inertia_;
+  double reach_ = -1;  ///< no point of a box is farther from C [m]; < 0: nothing can touch
+  std::vector<CollisionBox> boxes_;
+  Eigen::Vector3d v_W_, L_W_;                        ///< of C; angular momentum about C
+  Eigen::Vector3d v_C_B_, w_B_;                      ///< in body axes, of the same instant
+  std::unique_ptr<Ode> ode_;
+};
+
+}  // namespace quad_sim

@@ -1,0 +1,227 @@
+#include "quad_sim/simulator.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "quad_sim/plugin.hpp"
+#include "quad_support/errors.hpp"
+#include "quad_support/number_format.hpp"
+#include "rigid_body.hpp"
+
+namespace quad_sim {
+namespace {
+
+using Eigen::Vector3d;
+using quad_support::shortest;
+
+std::int64_t wholeNanoseconds(double seconds) {
+  constexpr double kMaxStep = 1.0;  // [s]; slower than any rotor or attitude motion by far
+  const double ns = seconds * 1e9;
+  const double whole = std::round(ns);
+  // A decimal text such as 0.001 is off by up to 1e-16 relative; anything more is not what was meant.
+  if (!(seconds > 0) || seconds > kMaxStep || std::abs(ns - whole) > 1e-6 || whole < 1) {
+    throw std::invalid_argument(fmt::format("simulation.step = {} s; must be a whole number of nanoseconds in (0, {}] s",
+                                            shortest(seconds), shortest(kMaxStep)));
+  }
+  return static_cast<std::int64_t>(whole);
+}
+
+void check(const SimulatorOptions& options) {
+  if (!(options.gravity >= 0) || !std::isfinite(options.gravity)) {
+    throw std::invalid_argument(fmt::format("simulation.gravity = {} m/s^2; must be >= 0", shortest(options.gravity)));
+  }
+  if (options.multibody != Multibody::kFolded) {
+    throw std::invalid_argument("simulation.multibody = hinged; is not available in this version; use folded");
+  }
+  if (options.profile != Profile::kDefault) {
+    throw std::invalid_argument("simulation.profile = rotors_compat; is not available in this version; use default");
+  }
+}
+
+void check(const VehicleState& state, const VehicleModel& model) {
+  if (!state.p_WB.allFinite() || !state.v_WB.allFinite() || !state.w_WB_B.allFinite() ||
+      !state.q_WB.coeffs().allFinite()) {
+    throw std::invalid_argument("vehicle state: every number must be finite");
+  }
+  if (!(state.q_WB.norm() > 1e-6)) throw std::invalid_argument("vehicle state: the quaternion must not be zero");
+  if (state.rotor_speed.size() != model.rotors.size()) {
+    throw std::invalid_argument(fmt::format("vehicle state: {} rotor speeds; the vehicle has {} rotors",
+                                            state.rotor_speed.size(), model.rotors.size()));
+  }
+  for (std::size_t i = 0; i < model.rotors.size(); ++i) {
+    const double w = state.rotor_speed[i];
+    if (!(w >= 0) || w > model.rotors[i].max_speed) {
+      throw std::invalid_argument(fmt::format("vehicle state: rotor_speed[{}] = {} rad/s; must lie in [0, {}]", i,
+                                              shortest(w), shortest(model.rotors[i].max_speed)));
+    }
+  }
+}
+
+/// Level, on the ground, rotors still.
+VehicleState restState(const VehicleModel& model) {
+  VehicleState state;
+  state.rotor_speed.assign(model.rotors.size(), 0.0);
+  for (const CollisionBox& box : model.boxes) {
+    const double half_height = 0.5 * box.X_BC.linear().row(2).cwiseAbs().dot(box.size);
+    state.p_WB.z() = std::max(state.p_WB.z(), half_height - box.X_BC.translation().z());
+  }
+  return state;
+}
+
+}  // namespace
+
+struct Simulator::World {
+  World(const VehicleModel& m, const SimulatorOptions& o)
+      : model(m),
+        options((check(o), o)),
+        step_ns(wholeNanoseconds(o.step)),
+        plugins(makePlugins(m, static_cast<double>(step_ns) * 1e-9)),
+        body(m, static_cast<double>(step_ns) * 1e-9, o.gravity, o.ground) {}
+
+  void restore(const VehicleState& state) {
+    Vector3d momentum = Vector3d::Zero();
+    for (const auto& plugin : plugins) {
+      plugin->restore(state);
+      momentum += plugin->momentum();
+    }
+    body.restore(state, momentum);
+  }
+
+  void step() {
+    StepInput input;
+    body.motion(input);
+    input.command = command.data();
+    StepLoad load{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
+    for (const auto& plugin : plugins) plugin->step(input, load);
+    if (body.step(load) && contact_step < 0) contact_step = step_count + 1;
+    ++step_count;
+  }
+
+  VehicleModel model;
+  SimulatorOptions options;
+  std::int64_t step_ns;
+  std::vector<std::unique_ptr<Plugin>> plugins;
+  RigidBody body;
+  VehicleState start;
+  std::vector<double> command;
+  CommandCounts counts;
+  std::int64_t step_count = 0;
+  std::int64_t contact_step = -1;
+};
+
+Simulator::Simulator(const VehicleModel& model, const SimulatorOptions& options)
+    : world_(std::make_unique<World>(model, options)) {
+  setStartState(restState(model));
+}
+Simulator::~Simulator() = default;
+Simulator::Simulator(Simulator&&) noexcept = default;
+Simulator& Simulator::operator=(Simulator&&) noexcept = default;
+
+const VehicleModel& Simulator::model() const { return world_->model; }
+const SimulatorOptions& Simulator::options() const { return world_->options; }
+
+void Simulator::setStartState(const VehicleState& state) {
+  check(state, world_->model);
+  world_->start = state;
+  reset();
+}
+
+void Simulator::reset() {
+  resetWorld();
+  world_->step_count = 0;
+}
+
+void Simulator::resetWorld() {
+  World& w = *world_;
+  w.command = w.start.rotor_speed;
+  w.counts = {};
+  w.contact_step = -1;
+  w.restore(w.start);
+}
+
+void Simulator::setState(const VehicleState& state) {
+  check(state, world_->model);
+  world_->restore(state);
+}
+
+void Simulator::setCommand(const std::vector<double>& rotor_speeds) {
+  World& w = *world_;
+  const bool finite = std::all_of(rotor_speeds.begin(), rotor_speeds.end(), [](double x) { return std::isfinite(x); });
+  if (rotor_speeds.size() != w.command.size() || !finite) {
+    ++w.counts.refused;
+    throw quad_support::DataError(finite ? fmt::format("command: {} rotor speeds; the vehicle has {} rotors",
+                                                       rotor_speeds.size(), w.command.size())
+                                         : "command: a rotor speed is not a finite number");
+  }
+  bool clamped = false;
+  for (std::size_t i = 0; i < rotor_speeds.size(); ++i) {
+    w.command[i] = std::clamp(rotor_speeds[i], 0.0, w.model.rotors[i].max_speed);
+    clamped = clamped || w.command[i] != rotor_speeds[i];
+  }
+  ++w.counts.accepted;
+  w.counts.clamped += clamped ? 1 : 0;
+}
+
+const std::vector<double>& Simulator::command() const { return world_->command; }
+const CommandCounts& Simulator::commandCounts() const { return world_->counts; }
+
+void Simulator::advance(int steps) {
+  if (steps < 0) throw std::invalid_argument(fmt::format("advance: {} steps; must be >= 0", steps));
+  for (int i = 0; i < steps; ++i) world_->step();
+  if (!world_->body.isFinite()) {
+    throw quad_support::SimulationError(fmt::format("the simulation diverged before {} s of simulated time",
+                                                    shortest(static_cast<double>(timeNanoseconds()) * 1e-9)));
+  }
+}
+
+std::int64_t Simulator::stepCount() const { return world_->step_count; }
+std::int64_t Simulator::stepNanoseconds() const { return world_->step_ns; }
+std::int64_t Simulator::timeNanoseconds() const { return world_->step_count * world_->step_ns; }
+
+VehicleState Simulator::state() const {
+  VehicleState state;
+  world_->body.save(state);
+  for (const auto& plugin : world_->plugins) plugin->save(state);
+  return state;
+}
+
+void Simulator::measure(Measurement& out) const {
+  VehicleState state;
+  state.rotor_speed.swap(out.rotor_speed);
+  world_->body.save(state);
+  for (const auto& plugin : world_->plugins) plugin->save(state);
+  out.rotor_speed.swap(state.rotor_speed);
+  out.odometry.time_ns = timeNanoseconds();
+  out.odometry.p_WB = state.p_WB;
+  out.odometry.q_WB = state.q_WB;
+  out.odometry.v_WB_B = state.q_WB.conjugate() * state.v_WB;
+  out.odometry.w_WB_B = state.w_WB_B;
+}
+
+Measurement Simulator::measure() const {
+  Measurement measurement;
+  measure(measurement);
+  return measurement;
+}
+
+Odometry Simulator::odometry(const SensorModel& sensor) const {
+  Odometry at = measure().odometry;
+  const Vector3d r_B = sensor.X_BS.translation();
+  const Eigen::Quaterniond q_BS(sensor.X_BS.linear());
+  at.p_WB += at.q_WB * r_B;
+  at.v_WB_B = q_BS.conjugate() * (at.v_WB_B + at.w_WB_B.cross(r_B));
+  at.w_WB_B = q_BS.conjugate() * at.w_WB_B;
+  at.q_WB = (at.q_WB * q_BS).normalized();
+  return at;
+}
+
+bool Simulator::groundContact() const { return world_->contact_step >= 0; }
+
+std::optional<std::int64_t> Simulator::groundContactTime() const {
+  if (!groundContact()) return std::nullopt;
+  return world_->contact_step * world_->step_ns;
+}
+
+}  // namespace quad_sim
