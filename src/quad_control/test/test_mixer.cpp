@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -147,7 +148,8 @@ TEST(Mixer, MarginIsWhereClampingBegins) {
       // One part in 1e9: far above rounding, far below any figure of the vehicle.
       const double inside = (1 - 1e-9) * s, outside = (1 + 1e-9) * s;
       EXPECT_EQ(mixer.allocate(hover + side * inside * ControlInput::Unit(axis)).clamped, 0);
-      if (axis > 0) EXPECT_GT(mixer.allocate(hover + side * outside * ControlInput::Unit(axis)).clamped, 0);
+      if (axis == 0) continue;  // thrust has much more room upwards than downwards
+      EXPECT_GT(mixer.allocate(hover + side * outside * ControlInput::Unit(axis)).clamped, 0);
     }
   }
   EXPECT_EQ(mixer.margin({-1.0, 0, 0, 0}, 1), 0.0);
