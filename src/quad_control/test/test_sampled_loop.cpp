@@ -89,7 +89,7 @@ TEST(SpectralRadius, KnowsAnUnstableLoop) {
 }
 
 TEST(Margins, AgreeWithTheClosedLoop) {
-  const PiGains gains{2.4, 0.6, 2.4, 0.6};
+  const PiGains gains{6.0, 0.6, 7.0, 0.6};  // quick enough for the delay margin to end within the period
   const LinearPlant plant = doubleIntegratorPlant(0.73, 0.0125);
   const LoopMargins m = margins(plant, discretise(plant, kPeriod, 0.02), {gains}, 0);
   // Scaled or delayed to its margin the loop is at the edge: just inside stable, just outside not.
@@ -124,7 +124,7 @@ TEST(ShippedGains, RollAndPitchAtAnyFallSpeed) {
   EXPECT_LT(all.gain_down, 0.5);
   EXPECT_GT(all.phase, 30.0);
   EXPECT_GT(all.delay, 0.045);  // the latency may double
-  EXPECT_LT(all.peak, 1.8);
+  EXPECT_LT(all.peak, 1.9);  // guarantees gain x 2.1 and 30 degrees
 }
 
 TEST(ShippedGains, RollAndPitchWithRollingMomentsThatAdd) {
