@@ -208,6 +208,7 @@ Measurement Simulator::measure() const {
 
 Odometry Simulator::odometry(const SensorModel& sensor) const {
   Odometry at = measure().odometry;
+  if (sensor.X_BS.isApprox(Eigen::Isometry3d::Identity(), 0.0)) return at;  // the very bits of measure()
   const Vector3d r_B = sensor.X_BS.translation();
   const Eigen::Quaterniond q_BS(sensor.X_BS.linear());
   at.p_WB += at.q_WB * r_B;
