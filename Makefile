@@ -1,4 +1,4 @@
-# make build | experiment | test | bench | doctor | clean. Each does its own set-up first.
+# make build | experiment | report | test | batch | bench | check | doctor | clean. What needs a build makes it first.
 SHELL := /bin/bash
 # ROS's Python lives in /usr/bin; a pyenv or conda python must not come before it.
 export PATH := /usr/bin:$(PATH)
@@ -7,9 +7,11 @@ export OPENBLAS_NUM_THREADS := 1
 J ?= $(shell nproc)
 CONFIG ?= config/thesis.yaml
 OUT ?= results/$(basename $(notdir $(CONFIG)))
+SPEC ?= config/monte_carlo.yaml
+BATCH_OUT ?= results/$(basename $(notdir $(SPEC)))
 RUN := . build/devel/setup.sh &&
 
-.PHONY: setup configure build tests test experiment bench doctor clean
+.PHONY: setup configure build tests test experiment report batch bench check doctor clean
 .DEFAULT_GOAL := build
 
 setup:
@@ -21,6 +23,7 @@ configure: setup
 
 build: configure
 	@cmake --build build -j$(J) --target all -- --no-print-directory -s
+	@touch build/.built
 
 tests: build
 	@cmake --build build -j$(J) --target tests -- --no-print-directory -s
@@ -28,11 +31,23 @@ tests: build
 test: tests
 	$(RUN) ROS_HOME=$(CURDIR)/build/ros_home ctest --test-dir build -j$(J) --output-on-failure
 
+# Flies, prints the table and adds the report; ends with the experiment's verdict. A report also helps when it is "no" (3).
 experiment: build
-	$(RUN) scripts/experiment --config $(CONFIG) --out $(OUT) --force
+	@scripts/experiment --config $(CONFIG) --out $(OUT) --force; verdict=$$?; \
+	case $$verdict in 0|3) scripts/report $(OUT) || exit $$?;; esac; exit $$verdict
+
+report:
+	@scripts/report $(OUT)
+
+batch: build
+	@$(RUN) build/devel/lib/quad_experiment/quad_experiment batch --spec $(SPEC) --out $(BATCH_OUT) --workers $(J) --resume
 
 bench: build
-	$(RUN) scripts/bench
+	@$(RUN) scripts/bench
+
+# The rules of the tree that need no build: layers, dependencies, launch files.
+check: setup
+	@for t in test_layers test_launch_files test_setup_and_doctor; do /usr/bin/python3 test/repo/$$t.py || exit $$?; done
 
 doctor:
 	@scripts/doctor
