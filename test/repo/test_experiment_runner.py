@@ -59,11 +59,11 @@ class Runner(unittest.TestCase):
         with open(self.path("build/devel/setup.sh"), "a") as setup:
             setup.write('export PATH="%s:$PATH"\n' % folder)
 
-    def start(self, *arguments, stderr=subprocess.PIPE, **fakes):
+    def start(self, *arguments, stderr=subprocess.PIPE, environment=(), **fakes):
         env = dict(os.environ, FAKE_PIDS=self.path("pids"), TMPDIR=self.path("tmp"))
         for name in ("CMAKE_PREFIX_PATH", "ROS_PACKAGE_PATH", "ROS_MASTER_URI", "PYTHONPATH"):
             env.pop(name, None)     # as in a shell that has sourced nothing
-        env.update({"FAKE_" + name: task for name, task in fakes.items()})
+        env.update({"FAKE_" + name: task for name, task in fakes.items()}, **dict(environment))
         return subprocess.Popen([self.path("scripts/experiment"), "--config", "config.yaml", "--out", "results/run",
                                  *arguments], cwd=self.tree, env=env, stdin=subprocess.DEVNULL, text=True,
                                 stdout=subprocess.PIPE, stderr=stderr)
@@ -140,6 +140,19 @@ class Runner(unittest.TestCase):
         code, _, stderr = self.run_it(gazebo="orphan", time_manager="stubborn", experiment="exit:1")
         self.assertEqual(code, 5, stderr)
         self.wait_for("orphan")   # it had really been there
+
+    def test_a_shell_with_other_settings(self):
+        """Another python3 first in PATH, another workspace sourced, another master, a name that does not resolve."""
+        os.mkdir(self.path("shims"))
+        for name in ("python3", "python"):
+            with open(self.path("shims/" + name), "w") as shim:
+                shim.write("#!/bin/sh\nexit 9\n")
+            os.chmod(self.path("shims/" + name), 0o755)
+        code, stdout, stderr = self.run_it(experiment="answer:0", environment={
+            "PATH": self.path("shims") + ":" + os.environ["PATH"], "CMAKE_PREFIX_PATH": "/elsewhere/devel:/usr",
+            "ROS_PACKAGE_PATH": "/elsewhere/src", "ROS_MASTER_URI": "http://no.such.invalid:1",
+            "ROS_HOSTNAME": "no.such.invalid", "ROS_NAMESPACE": "nested"})
+        self.assertEqual((code, stdout, stderr), (0, "thesis | ours\nresults: results/run\n", ""))
 
     # --- bad input
 
