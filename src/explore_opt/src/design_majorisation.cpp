@@ -17,7 +17,8 @@ using Eigen::VectorXd;
 
 constexpr double kSolverTolerance = 1e-9;
 constexpr int kSolverIterations = 200;
-constexpr double kShrink = 0.02;  // of the barrier weight
+constexpr double kShrink = 1e-3;      // of the barrier weight; smaller ones make Newton's steps crawl
+constexpr double kMargin = 1e-3;      // start of a relaxation outside the boundary
 
 /// Solution of one relaxation, in scaled coordinates.
 struct InnerSolution {
@@ -27,16 +28,16 @@ struct InnerSolution {
   bool centred = false;
 };
 
-/// Follows the barrier's path from (1 + margin) ã, strictly inside because ã is on the boundary and N grows with the
+/// Follows the barrier's path from (1 + 1e-3) ã, strictly inside because ã is on the boundary and N grows with the
 /// square, down to the weight whose gap n μ is `last_gap`.
 InnerSolution solveRelaxation(const QuadraticProgram& program, IpoptSolver& solver, const VectorXd& candidate,
-                              double margin, double last_gap) {
+                              double last_gap) {
   BarrierProgram relaxation(program, candidate);
   const int n = program.size();
   InnerSolution inner;
-  inner.a = (1.0 + margin) * candidate;
+  inner.a = (1.0 + kMargin) * candidate;
   const double last = last_gap / n;
-  double mu = std::max(last, 0.5 * margin * candidate.squaredNorm() / n);
+  double mu = std::max(last, 0.5 * kMargin * candidate.squaredNorm() / n);
   for (;;) {
     relaxation.setWeight(mu);
     const SolverAnswer answer = solver.solve(relaxation, {inner.a, {}});
@@ -76,24 +77,61 @@ VectorXd startOf(const DesignTask& task, const DesignOptions& options, RawDesign
   return {};
 }
 
-/// One re-linearisation; true if it converged. A step that does not lower the cost is not taken.
-bool improve(const DesignTask& task, const DesignOptions& options, IpoptSolver& solver, RawDesign& design) {
+/// Accuracy of the next relaxation: a hundredth of what the last one gained, down to the one asked for.
+double innerGap(const std::vector<DesignIteration>& done, const DesignOptions& options) {
+  if (done.size() < 2) return std::max(options.inner_gap, 1e-4);
+  const double gained = 1.0 - done.back().gamma_e / done[done.size() - 2].gamma_e;
+  return std::clamp(0.01 * gained, options.inner_gap, std::max(options.inner_gap, 1e-4));
+}
+
+/// Goes on from `before` over `after` with doubled steps, on the boundary, as long as that is cheaper.
+VectorXd extrapolated(const DesignTask& task, const VectorXd& before, const VectorXd& after) {
+  VectorXd best = after;
+  for (double factor = 2.0; factor <= 1024.0; factor *= 2.0) {
+    const VectorXd direction = before + factor * (after - before);
+    if (!(task.cost(direction) < best.norm())) break;
+    best = task.onBoundary(direction);
+  }
+  return best;
+}
+
+enum class Outcome { kImproved, kConverged, kNoDecrease };
+
+/// One re-linearisation with inner accuracy `gap`. A step that does not lower the cost is not taken.
+Outcome improve(const DesignTask& task, const DesignOptions& options, double gap, IpoptSolver& solver,
+                RawDesign& design) {
   const VectorXd before = design.amplitudes;
   const QuadraticProgram program(task.response, task.gamma_w, before);
-  const DesignIteration& last = design.iterations.back();
-  const double margin = design.iterations.size() == 1 ? 0.2 : std::clamp(last.step / last.gamma_e, 1e-6, 0.2);
-  const InnerSolution inner =
-      solveRelaxation(program, solver, program.toScaled(before), margin, 0.5 * options.inner_gap);
-  if (inner.Z.size() > 0) {
-    const Certificate certificate = task.certify(program.toCertificate(inner.Z));
-    if (certificate.bound > design.certificate.bound) design.certificate = certificate;
-  }
+  const InnerSolution inner = solveRelaxation(program, solver, program.toScaled(before), 0.5 * gap);
   design.status = inner.centred ? DesignStatus::kSolved : DesignStatus::kReducedAccuracy;
-  const VectorXd a = inner.Z.size() > 0 ? task.onBoundary(program.toAmplitudes(inner.a)) : before;
+  if (inner.Z.size() == 0) return Outcome::kNoDecrease;
+  const Certificate certificate = task.certify(program.toCertificate(inner.Z));
+  if (certificate.bound > design.certificate.bound) design.certificate = certificate;
+
+  VectorXd a = task.onBoundary(program.toAmplitudes(inner.a));
+  if (options.extrapolate) a = extrapolated(task, before, a);
   const double decrease = before.norm() - a.norm();
-  if (!(decrease > 0.0)) return true;
+  if (!(decrease > 0.0)) return Outcome::kNoDecrease;
   record(task, design, a, inner.gap * before.squaredNorm());
-  return decrease <= options.cost_tolerance * a.norm() && (a - before).norm() <= options.step_tolerance * a.norm();
+  const bool small = decrease <= options.cost_tolerance * a.norm() &&
+                     (a - before).norm() <= options.step_tolerance * a.norm();
+  return small ? Outcome::kConverged : Outcome::kImproved;
+}
+
+/// Re-linearises until nothing changes; false if the iterations ran out. Without a decrease it goes on once with the
+/// full inner accuracy before it believes that there is none.
+bool iterate(const DesignTask& task, const DesignOptions& options, RawDesign& design) {
+  IpoptSolver solver(kSolverTolerance, kSolverIterations);
+  bool accurate = false;
+  for (int i = 0; i < options.max_iterations; ++i) {
+    quad_support::throwIfInterrupted();
+    const double gap = accurate ? options.inner_gap : innerGap(design.iterations, options);
+    const Outcome outcome = improve(task, options, gap, solver, design);
+    if (outcome == Outcome::kConverged) return true;
+    if (outcome == Outcome::kNoDecrease && gap <= options.inner_gap) return true;
+    accurate = outcome == Outcome::kNoDecrease;
+  }
+  return false;
 }
 
 }  // namespace
@@ -106,20 +144,13 @@ RawDesign designByMajorisation(const DesignTask& task, const DesignOptions& opti
     return design;
   }
   record(task, design, start, 0.0);
-  IpoptSolver solver(kSolverTolerance, kSolverIterations);
-  bool converged = false;
-  int iterations = 0;
-  while (!converged && iterations < options.max_iterations) {
-    quad_support::throwIfInterrupted();
-    converged = improve(task, options, solver, design);
-    ++iterations;
-  }
+  const bool converged = iterate(task, options, design);
   if (!converged) design.status = DesignStatus::kIterationLimit;
   const QuadraticProgram program(task.response, task.gamma_w, design.amplitudes);
   const Certificate dual = task.certify(program.toCertificate(solveDual(program, 1e-9).Z));
   if (dual.bound > design.certificate.bound) design.certificate = dual;
-  design.message = fmt::format("{} re-linearisations, {}", iterations,
-                               converged ? "cost and step below their thresholds" : "limit reached");
+  design.message = fmt::format("{} steps, {}", design.iterations.size() - 1,
+                               converged ? "cost and step below their thresholds" : "iteration limit reached");
   return design;
 }
 

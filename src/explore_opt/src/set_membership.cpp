@@ -78,15 +78,18 @@ Eigen::MatrixXd fullCloseness(const Eigen::MatrixXd& closeness, int num_states, 
 
 double informationMargin(const FeasibleSet& set, const Eigen::MatrixXd& closeness) {
   const auto nx = static_cast<int>(set.center.rows()), n = static_cast<int>(set.center.cols());
-  double ratio = 0.0;
   if (closeness.size() == 1) {
-    ratio = closeness(0, 0) / set.lambda_min_S;
-  } else if (closeness.rows() == n) {
-    requireSymmetric(closeness);
-    ratio = largestRatio(closeness, set.root);
-  } else {
-    ratio = largestRatio(fullCloseness(closeness, nx, n), Eigen::kroneckerProduct(set.root, identity(nx)).eval());
+    const double lambda = closeness(0, 0);
+    return lambda > 0.0 ? set.lambda_min_S / lambda : kInfinity;
   }
+  if (closeness.rows() == n) return largestRadius(set.root, closeness);
+  return largestRadius(Eigen::kroneckerProduct(set.root, identity(nx)).eval(), fullCloseness(closeness, nx, n));
+}
+
+double largestRadius(const Eigen::MatrixXd& root, const Eigen::MatrixXd& closeness) {
+  requireShape(closeness, root.cols(), root.cols(), "D");
+  requireSymmetric(closeness);
+  const double ratio = largestRatio(closeness, root);
   return ratio > 0.0 ? 1.0 / ratio : kInfinity;
 }
 

@@ -32,6 +32,7 @@ void check(const RotorGeometry& rotor, std::size_t index) {
 }
 
 AllocationMatrix allocationMatrix(const std::vector<RotorGeometry>& rotors) {
+  if (rotors.empty()) throw ConfigError("control allocation: the vehicle has 0 rotors; at least four are needed");
   AllocationMatrix matrix(4, static_cast<Eigen::Index>(rotors.size()));
   for (std::size_t i = 0; i < rotors.size(); ++i) {
     check(rotors[i], i);

@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.18)
 # Writes OUTPUT with the commit of SOURCE_DIR; touches it only when the commit changes, so that little is rebuilt.
 execute_process(
   COMMAND git -C ${SOURCE_DIR} describe --always --dirty --abbrev=12

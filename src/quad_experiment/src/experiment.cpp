@@ -18,7 +18,7 @@ std::vector<double> toSamples(const Eigen::MatrixXd& signal) { return {signal.da
 std::vector<double> flownAmplitudes(const ExperimentConfig& config, const explore_opt::DesignResult& design) {
   std::vector<double> amplitudes = config.design.amplitudes;
   if (config.design.fly_design) {
-    if (!design.feasible()) throw NoDesign("no exploration signal: " + design.message);
+    if (!design.feasible()) throw quad_support::NegativeAnswer("no exploration signal: " + design.message);
     amplitudes = toSamples(design.amplitudes);
   }
   for (double& a : amplitudes) a *= 1.0 + config.design.amplitude_margin;
@@ -135,7 +135,7 @@ ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant, con
   const auto tell = [&](const ExperimentStatus& s) {
     if (status) status(s);
   };
-  tell({"", "design", 0.0, 0.0});
+  tell({"", "design"});
   const ExperimentPlan plan = planExperiment(config);
   results.write("config.yaml", toYaml(config));
   results.write("design.json", explore_opt::designToJson(plan.problem, plan.design).dump(2) + "\n");
@@ -148,8 +148,9 @@ ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant, con
   if (config.fly_gaussian) flights.push_back(kGaussianFlight);
   for (const Flight flight : flights) {
     const std::string name = flight == kTargetedFlight ? "targeted" : "random";
-    result.flights.push_back(flyAndJudge(plan, plant, flight, [&](double time) {
-      tell({name, time < config.control.hold_time ? "hold" : "explore", time, duration});
+    result.flights.push_back(flyAndJudge(plan, plant, flight, [&](const quad_sim::Odometry& o) {
+      const double time = static_cast<double>(o.time_ns) / 1e9;
+      tell({name, time < config.control.hold_time ? "hold" : "explore", time, duration, o.p_WB.z(), climbRate(o)});
     }));
     results.write(name + "/trajectory.csv", result.flights.back().csv);
   }
@@ -157,7 +158,7 @@ ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant, con
   result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   results.write("summary.json", summaryJson(plan, result).dump(2) + "\n");
   results.write("table.txt", comparisonTable(plan, result));
-  tell({"", "done", 0.0, 0.0});
+  tell({"", "done"});
   return result;
 }
 

@@ -88,7 +88,10 @@ ExperimentConfig readExperimentConfig(const std::string& path) {
 }
 
 MiddlewareConfig middlewareConfig(const ExperimentConfig& config) {
-  return {config.timing.sampling_period, config.timing.latency, config.timing.jitter_std, config.simulation.options.step};
+  const double step = config.simulation.options.step;
+  // On the wall clock the middleware is the real one.
+  if (config.timing.mode == quad_control::TimingMode::kWallclock) return {config.timing.sampling_period, 0.0, 0.0, step};
+  return {config.timing.sampling_period, config.timing.latency, config.timing.jitter_std, step};
 }
 
 }  // namespace quad_experiment

@@ -62,7 +62,7 @@ Trajectory fly(Plant& plant, const FlightSpec& spec, const Middleware& middlewar
     const bool done = row.last;
     trajectory.rows.push_back(std::move(row));
     if (done) break;
-    if (progress) progress(seconds(now.odometry.time_ns));
+    if (progress) progress(now.odometry);
   }
   attachCommands(trajectory, plant.end());
   return trajectory;

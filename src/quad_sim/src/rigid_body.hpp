@@ -35,16 +35,19 @@ class RigidBody {
     input.w_WB_B = w_B_;
   }
   /// One physics step under the load. Returns whether the body touched the ground.
+  /// @throws quad_support::SimulationError if the body turns by more than a radian in the step
   bool step(const StepLoad& load);
   bool isFinite() const;
 
  private:
   struct Ode;
 
-  /// Rate [rad/s, body axes] of the step's rotation: w = I^-1 (Pi_mid - momentum), Pi_mid = Pi + (h/2) Pi_mid x (c w).
-  Eigen::Vector3d midpointRate(const Eigen::Vector3d& Pi, const Eigen::Vector3d& momentum_B) const;
+  /// Rate [rad/s, body axes] of the step's rotation: w = I^-1 (Pi_mid - momentum), Pi_mid = Pi + a Pi_mid x w, where
+  /// Pi is the angular momentum in body axes and a = h/2, stretched as the rate ODE is given (see rateStretch()).
+  Eigen::Vector3d midpointRate(const Eigen::Vector3d& Pi, const Eigen::Vector3d& momentum_B, double a) const;
+  void checkRate(const Eigen::Vector3d& w) const;
   int collide(const Eigen::Matrix3d& R_WB);
-  void stepInContact(const Eigen::Matrix3d& R, const StepLoad& load, const Eigen::Vector3d& torque_W);
+  void stepInContact(const Eigen::Matrix3d& R, const StepLoad& load);
   void refreshBodyRates(const Eigen::Vector3d& momentum_B);
 
   double h_, gravity_, mass_;
@@ -53,7 +56,7 @@ class RigidBody {
   double reach_ = -1;  ///< no point of a box is farther from C [m]; < 0: nothing can touch
   std::vector<CollisionBox> boxes_;
   Eigen::Vector3d v_W_, L_W_;                        ///< of C; angular momentum about C
-  Eigen::Vector3d v_C_B_, w_B_;                      ///< in body axes, of the same instant
+  Eigen::Vector3d v_C_B_, w_B_, Pi_B_;  ///< velocity, rate and angular momentum of the same instant in body axes
   std::unique_ptr<Ode> ode_;
 };
 

@@ -39,7 +39,11 @@ class RotorPlugin : public Plugin {
   };
   static Decay decayOver(double step, double time_constant);
 
+  void stepUpright(const StepInput& input, StepLoad& load);
+  void stepAnyAxis(const StepInput& input, StepLoad& load);
+
   std::vector<Rotor> rotors_;
+  bool upright_ = true;  ///< every axis is base_link's z
 };
 
 }  // namespace quad_sim

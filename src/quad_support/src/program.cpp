@@ -9,30 +9,29 @@
 #include "quad_support/interrupt.hpp"
 
 namespace quad_support {
-namespace {
 
-int complain(const std::string& name, const std::string& text, int code) {
-  std::fprintf(stderr, "%s: %s\n", name.c_str(), text.c_str());
-  return code;
-}
-
-}  // namespace
-
-int runProgram(const std::string& name, const std::function<int()>& body) {
+int runProgram(const std::string& name, const std::function<int()>& body, std::string* message) {
   std::setlocale(LC_ALL, "C");
   installInterruptHandlers();
+  const auto complain = [&](const std::string& text, int code) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), text.c_str());
+    if (message) *message = text;
+    return code;
+  };
   try {
     return body();
   } catch (const Interrupted& e) {
-    return complain(name, "interrupted; nothing was left half-written", 128 + e.signal());
+    return complain("interrupted; nothing was left half-written", 128 + e.signal());
   } catch (const std::invalid_argument& e) {
-    return complain(name, e.what(), kBadInput);
+    return complain(e.what(), kBadInput);
+  } catch (const NegativeAnswer& e) {
+    return complain(e.what(), kNegativeAnswer);
   } catch (const SimulationError& e) {
-    return complain(name, e.what(), kSimulationFailed);
+    return complain(e.what(), kSimulationFailed);
   } catch (const std::bad_alloc&) {
-    return complain(name, "out of memory", kEnvironment);
+    return complain("out of memory", kEnvironment);
   } catch (const std::exception& e) {
-    return complain(name, e.what(), kEnvironment);
+    return complain(e.what(), kEnvironment);
   }
 }
 

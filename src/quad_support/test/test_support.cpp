@@ -130,6 +130,7 @@ TEST(Program, ExceptionsBecomeExitCodes) {
   const auto code = [](auto error) { return runProgram("test", [&]() -> int { throw error; }); };
   EXPECT_EQ(code(ConfigError("x")), 2);
   EXPECT_EQ(code(std::invalid_argument("x")), 2);
+  EXPECT_EQ(code(NegativeAnswer("x")), 3);
   EXPECT_EQ(code(SimulationError("x")), 4);
   EXPECT_EQ(code(EnvironmentError("x")), 5);
   EXPECT_EQ(code(Interrupted(2)), 130);

@@ -18,4 +18,7 @@ ExplorationProblem problemFromJson(const std::string& text, const std::string& s
 /// that does not exist is null. Doubles are printed so that they read back the same.
 nlohmann::ordered_json designToJson(const ExplorationProblem& problem, const DesignResult& result);
 
+/// Indented text with a list of numbers on one line, ending in a newline.
+std::string prettyJson(const nlohmann::ordered_json& value);
+
 }  // namespace explore_opt

@@ -35,10 +35,11 @@ struct DesignOptions {
   int random_starts = 8;              ///< global: starts beside the dual's, used only while the gap is larger
   std::uint64_t seed = 1;             ///< of those starts, and of mm's start if none is given
   Eigen::VectorXd initial_amplitudes; ///< mm: candidate ã, any size (p entries, component i n_u + j); empty: a default
-  double cost_tolerance = 1e-10;      ///< mm: stop when γ_e changes by less than this part of itself and ...
+  double cost_tolerance = 1e-9;       ///< mm: stop when γ_e changes by less than this part of itself and ...
   double step_tolerance = 1e-5;       ///< mm: ... ‖Δa‖ is below this part of ‖a‖
-  int max_iterations = 2000;          ///< mm: re-linearisations
-  double inner_gap = 1e-9;            ///< mm: duality gap n μ of each relaxation, part of ½γ_e²
+  int max_iterations = 1000;          ///< mm: re-linearisations
+  double inner_gap = 1e-9;            ///< mm: duality gap n μ of the last relaxations, part of ½γ_e²
+  bool extrapolate = true;            ///< mm: lengthen each step while that lowers the cost; false: as in the paper
 };
 
 /// One step towards the amplitudes: what Figures 2.5, 2.6 and 2.7 plot.

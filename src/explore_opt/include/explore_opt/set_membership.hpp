@@ -42,6 +42,10 @@ Eigen::MatrixXd fullCloseness(const Eigen::MatrixXd& closeness, int num_states, 
 /// (infinite for D = 0). @param closeness  as fullCloseness(); must be positive semidefinite
 double informationMargin(const FeasibleSet& set, const Eigen::MatrixXd& closeness);
 
+/// The largest G with RᵀR ⪰ G D, for any information matrix RᵀR and D of its size (structured fits, say).
+/// @param root  R, square, upper triangular, nonsingular
+double largestRadius(const Eigen::MatrixXd& root, const Eigen::MatrixXd& closeness);
+
 /// Eq. (1.10), P_θ⁻¹ ⪰ G D_des with G >= 0: sufficient for (1.9). False if γ_w is falsified.
 bool explorationCondition(const FeasibleSet& set, const Eigen::MatrixXd& closeness);
 

@@ -34,17 +34,12 @@ struct ExperimentPlan {
 /// The design problem of a configuration: nominal model of the estimate, D_des = lambda I.
 explore_opt::ExplorationProblem designProblem(const ExperimentConfig& config);
 
-/// Designs and generates signals. @throws quad_support::ConfigError as readExperimentConfig(), and NoDesign
+/// Designs and generates signals. @throws quad_support::ConfigError as readExperimentConfig();
+/// quad_support::NegativeAnswer if the design that was to be flown does not exist, with the solver's reason
 ExperimentPlan planExperiment(const ExperimentConfig& config);
 
 /// The same plan with another seed: vehicle, model and design stay, the random signal is drawn anew.
 ExperimentPlan withSeed(ExperimentPlan plan, std::uint64_t seed);
-
-/// The design that was to be flown does not exist: a negative answer (exit code 3), with the solver's reason.
-class NoDesign : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// The flight plan for a signal: hold at the start altitude in equilibrium, then explore.
 FlightSpec flightSpec(const ExperimentPlan& plan, const std::vector<double>& signal, const Middleware& middleware);
@@ -76,6 +71,7 @@ struct ExperimentStatus {
   std::string phase;      ///< "design", "hold", "explore", "identify", "done"
   double time = 0.0;      ///< simulated [s] in this flight
   double duration = 0.0;  ///< of this flight, about [s]
+  double z = 0.0, zdot = 0.0;  ///< altitude [m], climb rate [m/s]
 };
 using StatusCallback = std::function<void(const ExperimentStatus&)>;
 

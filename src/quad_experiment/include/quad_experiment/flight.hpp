@@ -20,8 +20,8 @@ struct FlightSpec {
   bool expect_ground = true;       ///< touching the ground ends the flight with SimulationError
 };
 
-/// Called after each interval with the flight's simulated time [s]; for progress.
-using FlightProgress = std::function<void(double)>;
+/// Called after each interval with the state at its end; for progress.
+using FlightProgress = std::function<void(const quad_sim::Odometry&)>;
 
 /// Thesis section 1.2.4, steps (a) to (j), until the signal of the plan has been flown (T inputs, T + 1 states) or, without
 /// a signal, until `end_of_hold`.

@@ -1,15 +1,30 @@
-/// The subcommands of the program quad_experiment.
+/// The subcommands of the program quad_experiment, each with what it is told.
 #pragma once
 
-#include <functional>
+#include <string>
 
-namespace CLI {
-class App;
-}
+struct RunOptions {
+  std::string config, out;
+  bool force = false;
+};
+struct CheckOptions {
+  std::string config;
+  std::string mode;  ///< "" as in the configuration
+};
+struct PercentilesOptions {
+  std::string results;
+  int seeds = 200;
+  int workers = 0;  ///< 0: one a core
+};
+struct StepOptions {
+  std::string config, out;
+  double height = 1.0;     ///< [m]
+  double duration = 20.0;  ///< [s]
+  bool force = false;
+};
 
-/// Each adds its subcommand to `app`; `chosen` becomes what to run when it was given.
-using Command = std::function<int()>;
-void addRunCommand(CLI::App& app, Command& chosen);
-void addCheckCommand(CLI::App& app, Command& chosen);
-void addPercentilesCommand(CLI::App& app, Command& chosen);
-void addStepCommand(CLI::App& app, Command& chosen);
+// All return an exit code and throw what quad_support::runProgram() understands.
+int run(const RunOptions& options);
+int check(const CheckOptions& options);
+int percentiles(const PercentilesOptions& options);
+int step(const StepOptions& options);

@@ -1,10 +1,8 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -18,12 +16,6 @@ namespace {
 
 using namespace quad_experiment;
 using Json = nlohmann::ordered_json;
-
-struct Options {
-  std::string results;
-  int seeds = 200;
-  int workers = 0;
-};
 
 /// The run's own number behind a reference's key, from its summary.json.
 double ownValue(const Json& summary, const std::string& key) {
@@ -41,7 +33,9 @@ double ownValue(const Json& summary, const std::string& key) {
   return value.is_null() ? std::nan("") : value.get<double>();
 }
 
-int percentiles(const Options& options) {
+}  // namespace
+
+int percentiles(const PercentilesOptions& options) {
   const Json summary = Json::parse(quad_support::readFile(options.results + "/summary.json"), nullptr, false);
   if (summary.is_discarded()) throw quad_support::ConfigError(options.results + "/summary.json: not valid JSON");
   const ExperimentPlan plan = planExperiment(readExperimentConfig(options.results + "/config.yaml"));
@@ -80,17 +74,4 @@ int percentiles(const Options& options) {
   quad_support::writeFileAtomically(options.results + "/percentiles.json", out.dump(2) + "\n");
   std::fputs(text.c_str(), stdout);
   return quad_support::kDone;
-}
-
-}  // namespace
-
-void addPercentilesCommand(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("percentiles", "Show where a finished run lies among many seeds of the same experiment");
-  command->add_option("--results", options->results, "directory of a finished run; percentiles.json is added to it")
-      ->required()->check(CLI::ExistingDirectory);
-  command->add_option("--seeds", options->seeds, "number of seeds")->capture_default_str()->check(CLI::Range(1, 1000000));
-  command->add_option("--workers", options->workers, "threads; 0: one a core")->capture_default_str()->check(CLI::Range(0, 1024));
-  command->footer("Example:\n  quad_experiment percentiles --results results/thesis --seeds 200");
-  command->callback([options, &chosen] { chosen = [options] { return percentiles(*options); }; });
 }

@@ -1,8 +1,6 @@
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <memory>
 
 #include "commands.hpp"
 #include "quad_experiment/experiment.hpp"
@@ -13,11 +11,6 @@
 namespace {
 
 using namespace quad_experiment;
-
-struct Options {
-  std::string config, out;
-  bool force = false;
-};
 
 /// One line on stderr that is written over, at most ten times a second of simulated time; quiet when not a terminal.
 class ProgressLine {
@@ -38,7 +31,9 @@ class ProgressLine {
   int count_ = 0;
 };
 
-int run(const Options& options) {
+}  // namespace
+
+int run(const RunOptions& options) {
   const ExperimentConfig config = readExperimentConfig(options.config);
   if (config.timing.mode == quad_control::TimingMode::kWallclock) {
     throw quad_support::ConfigError(options.config +
@@ -47,27 +42,9 @@ int run(const Options& options) {
   }
   quad_support::ResultDirectory results(options.out, options.force);
   InProcessPlant plant(config.simulation, config.control);
-  try {
-    const ExperimentResult result = runExperiment(config, plant, "in_process", results, ProgressLine());
-    std::fputs(quad_support::readFile(results.workPath() + "/table.txt").c_str(), stdout);
-    results.commit();
-    std::printf("results: %s\n", results.path().c_str());
-    return result.exitCode();
-  } catch (const NoDesign& e) {
-    std::fprintf(stderr, "quad_experiment: %s\n", e.what());
-    return quad_support::kNegativeAnswer;
-  }
-}
-
-}  // namespace
-
-void addRunCommand(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("run", "Design, fly, identify and judge one experiment in this process");
-  command->add_option("--config", options->config, "experiment settings (YAML), see config/thesis.yaml")->required();
-  command->add_option("--out", options->out, "directory for the results; must not exist")->required();
-  command->add_flag("--force", options->force, "replace an existing results directory");
-  command->footer("Example:\n  quad_experiment run --config config/exact.yaml --out results/exact\n"
-                  "Exit code: 0 promise kept, 2 bad input, 3 promise broken, 4 simulation failed, 5 environment.");
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  const ExperimentResult result = runExperiment(config, plant, "in_process", results, ProgressLine());
+  std::fputs(quad_support::readFile(results.workPath() + "/table.txt").c_str(), stdout);
+  results.commit();
+  std::printf("results: %s\n", results.path().c_str());
+  return result.exitCode();
 }

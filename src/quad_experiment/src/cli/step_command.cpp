@@ -1,9 +1,7 @@
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 
 #include "commands.hpp"
 #include "quad_experiment/experiment.hpp"
@@ -11,17 +9,9 @@
 #include "quad_support/atomic_file.hpp"
 #include "quad_support/errors.hpp"
 
-namespace {
-
 using namespace quad_experiment;
 
-struct Options {
-  std::string config, out;
-  double height = 1.0, duration = 20.0;
-  bool force = false;
-};
-
-int step(const Options& options) {
+int step(const StepOptions& options) {
   const ExperimentConfig config = readExperimentConfig(options.config);
   const ExperimentPlan plan = planExperiment(config);
   const Middleware middleware(middlewareConfig(config), config.seed, kTargetedFlight);
@@ -47,18 +37,4 @@ int step(const Options& options) {
               trajectory.rows.back().state.odometry.p_WB.z() - spec.plan.references.z, overshoot, before_last.command.thrust, weight);
   std::printf("results: %s\n", results.path().c_str());
   return quad_support::kDone;
-}
-
-}  // namespace
-
-void addStepCommand(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("step", "Fly a step of the reference altitude under PI control (thesis Figs 2.2, 2.3)");
-  command->add_option("--config", options->config, "experiment settings (YAML)")->required();
-  command->add_option("--out", options->out, "directory for trajectory.csv; must not exist")->required();
-  command->add_option("--height", options->height, "[m] step of the reference")->capture_default_str();
-  command->add_option("--duration", options->duration, "[s] length of the flight")->capture_default_str()->check(CLI::Range(0.5, 600.0));
-  command->add_flag("--force", options->force, "replace an existing results directory");
-  command->footer("Example:\n  quad_experiment step --config config/exact.yaml --out results/step --height 1");
-  command->callback([options, &chosen] { chosen = [options] { return step(*options); }; });
 }

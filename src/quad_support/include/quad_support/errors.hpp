@@ -30,6 +30,12 @@ class DataError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// A valid question whose answer is no, where nothing further can be done without a yes: no design to fly, say.
+class NegativeAnswer : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// The simulation cannot go on: diverged, ground reached.
 class SimulationError : public std::runtime_error {
  public:

@@ -1,0 +1,150 @@
+#include "explore_opt/design_json.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "json_matrix.hpp"
+#include "quad_support/errors.hpp"
+
+namespace explore_opt {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using quad_support::ConfigError;
+
+const std::set<std::string> kKeys = {"A", "B", "T", "harmonics", "frequencies", "phase", "gamma_w", "D_des", "x0", "K"};
+
+/// Reads the values of one problem; every complaint names source and key.
+class Reader {
+ public:
+  Reader(const json& object, std::string source) : object_(object), source_(std::move(source)) {}
+
+  bool has(const std::string& key) const { return object_.contains(key); }
+
+  const json& at(const std::string& key) const {
+    if (!has(key)) fail(key, "is missing");
+    return object_.at(key);
+  }
+
+  Eigen::MatrixXd matrix(const std::string& key) const { return matrixFromJson(at(key), source_ + ": " + key); }
+
+  double number(const std::string& key) const {
+    if (!at(key).is_number()) fail(key, fmt::format("= {}; must be a number", at(key).dump()));
+    return at(key).get<double>();
+  }
+
+  int integer(const json& value, const std::string& key) const {
+    const bool fits = value.is_number_integer() && value.get<double>() >= 0.0 && value.get<double>() <= 1e9;
+    if (!fits) fail(key, fmt::format("= {}; must be a whole number, 0 to 1e9", value.dump()));
+    return value.get<int>();
+  }
+
+  std::vector<double> numbers(const std::string& key) const {
+    const json& list = array(key);
+    std::vector<double> values;
+    for (const json& value : list) {
+      if (!value.is_number()) fail(key, fmt::format("holds {}; must hold numbers", value.dump()));
+      values.push_back(value.get<double>());
+    }
+    return values;
+  }
+
+  std::vector<int> integers(const std::string& key) const {
+    std::vector<int> values;
+    for (const json& value : array(key)) values.push_back(integer(value, fmt::format("{}[{}]", key, values.size())));
+    return values;
+  }
+
+  std::string text(const std::string& key) const {
+    if (!at(key).is_string()) fail(key, fmt::format("= {}; must be a text", at(key).dump()));
+    return at(key).get<std::string>();
+  }
+
+  void refuseUnknownKeys() const {
+    for (const auto& item : object_.items()) {
+      if (kKeys.count(item.key()) == 0) {
+        fail(item.key(), "is not a key; there are A, B, T, harmonics, frequencies, phase, gamma_w, D_des, x0, K");
+      }
+    }
+  }
+
+ private:
+  const json& array(const std::string& key) const {
+    if (!at(key).is_array()) fail(key, fmt::format("= {}; must be a list", at(key).dump()));
+    return at(key);
+  }
+
+  [[noreturn]] void fail(const std::string& key, const std::string& what) const {
+    throw ConfigError(fmt::format("{}: {} {}", source_, key, what));
+  }
+
+  const json& object_;
+  std::string source_;
+};
+
+ordered_json numberOrNull(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
+
+ordered_json amplitudesToJson(const Eigen::MatrixXd& amplitudes, Phase phase) {
+  if (phase != Phase::kBoth) return matrixToJson(amplitudes);
+  const Eigen::Index L = amplitudes.rows() / 2;
+  return {{"cos", matrixToJson(amplitudes.topRows(L))}, {"sin", matrixToJson(amplitudes.bottomRows(L))}};
+}
+
+}  // namespace
+
+ExplorationProblem problemFromJson(const std::string& text, const std::string& source) {
+  const json object = parseJson(text, source);
+  const Reader in(object, source);
+  if (!object.is_object()) throw ConfigError(source + ": must hold one JSON object, { \"A\": ..., ... }");
+  in.refuseUnknownKeys();
+  ExplorationProblem problem;
+  problem.A = in.matrix("A");
+  problem.B = in.matrix("B");
+  problem.lines.num_samples = in.integer(in.at("T"), "T");
+  if (in.has("harmonics")) problem.lines.harmonics = in.integers("harmonics");
+  if (in.has("frequencies")) problem.lines.frequencies = in.numbers("frequencies");
+  problem.gamma_w = in.number("gamma_w");
+  problem.D_des = in.at("D_des").is_number() ? Eigen::MatrixXd::Constant(1, 1, in.number("D_des")) : in.matrix("D_des");
+  if (in.has("x0")) {
+    const std::vector<double> x0 = in.numbers("x0");
+    problem.x0 = Eigen::Map<const Eigen::VectorXd>(x0.data(), static_cast<Eigen::Index>(x0.size()));
+  }
+  if (in.has("K")) problem.K = in.matrix("K");
+  try {
+    problem.phase = phaseFromString(in.text("phase"));
+    validate(problem);
+  } catch (const quad_support::DataError& e) {
+    throw ConfigError(fmt::format("{}: {}", source, e.what()));
+  }
+  return problem;
+}
+
+ordered_json designToJson(const ExplorationProblem& problem, const DesignResult& result) {
+  ordered_json out;
+  out["status"] = toString(result.status);
+  out["method"] = toString(result.method);
+  out["message"] = result.message;
+  out["amplitudes"] = result.feasible() ? amplitudesToJson(result.amplitudes, problem.phase) : ordered_json(nullptr);
+  out["gamma_e"] = numberOrNull(result.gamma_e);
+  out["lower_bound"] = result.lower_bound > 0.0 ? numberOrNull(result.lower_bound) : ordered_json(nullptr);
+  out["gap"] = numberOrNull(result.gap);
+  out["certificate"] = result.certificate.size() > 0 ? matrixToJson(result.certificate) : ordered_json(nullptr);
+  out["lambda_min"] = numberOrNull(result.lambda_min);
+  out["inner_gap"] = result.method == DesignMethod::kMm ? numberOrNull(result.inner_gap) : ordered_json(nullptr);
+  out["iterations"] = ordered_json::array();
+  for (const DesignIteration& iteration : result.iterations) {
+    out["iterations"].push_back({{"gamma_e", iteration.gamma_e},
+                                 {"step", iteration.step},
+                                 {"inner_gap", iteration.inner_gap},
+                                 {"amplitudes", amplitudesToJson(iteration.amplitudes, problem.phase)}});
+  }
+  out["seconds"] = result.seconds;
+  return out;
+}
+
+}  // namespace explore_opt

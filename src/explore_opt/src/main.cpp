@@ -1,0 +1,28 @@
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.hpp"
+#include "quad_support/errors.hpp"
+#include "quad_support/program.hpp"
+
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app("Targeted exploration of linear systems under energy-bounded disturbances", "explore_opt");
+  app.require_subcommand(1);
+  app.footer("explore_opt design --help and explore_opt identify --help show an example each.");
+  const auto design = explore_opt::addDesignCommand(app);
+  const auto identify = explore_opt::addIdentifyCommand(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help
+    throw quad_support::DataError(std::string(e.what()) + " (explore_opt --help tells more)");
+  }
+  return app.got_subcommand("design") ? design() : identify();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return quad_support::runProgram("explore_opt", [argc, argv] { return run(argc, argv); });
+}

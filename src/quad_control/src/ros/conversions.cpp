@@ -1,0 +1,103 @@
+#include "conversions.hpp"
+
+#include <ros/param.h>
+#include <ros/this_node.h>
+
+#include <stdexcept>
+
+#include "quad_sim/simulation_config.hpp"
+#include "quad_support/config_reader.hpp"
+
+namespace quad_control {
+
+std::int64_t toNanoseconds(const ros::Time& stamp) {
+  const std::int64_t ns = static_cast<std::int64_t>(stamp.sec) * 1'000'000'000 + stamp.nsec;
+  return ns == 1 ? 0 : ns;
+}
+
+ros::Time toStamp(std::int64_t time_ns) {
+  ros::Time stamp;
+  return stamp.fromNSec(static_cast<std::uint64_t>(time_ns == 0 ? 1 : time_ns));
+}
+
+quad_sim::Odometry fromMsg(const nav_msgs::Odometry& msg) {
+  const auto& p = msg.pose.pose.position;
+  const auto& q = msg.pose.pose.orientation;
+  const auto& v = msg.twist.twist.linear;
+  const auto& w = msg.twist.twist.angular;
+  quad_sim::Odometry odometry;
+  odometry.time_ns = toNanoseconds(msg.header.stamp);
+  odometry.p_WB = {p.x, p.y, p.z};
+  odometry.q_WB = Eigen::Quaterniond(q.w, q.x, q.y, q.z);
+  odometry.v_WB_B = {v.x, v.y, v.z};
+  odometry.w_WB_B = {w.x, w.y, w.z};
+  return odometry;
+}
+
+References fromMsg(const geometry_msgs::Pose& pose) {
+  const auto& q = pose.orientation;
+  return {pose.position.x, pose.position.y, pose.position.z,
+          rollPitchYaw(Eigen::Quaterniond(q.w, q.x, q.y, q.z)).z()};
+}
+
+FlightPlan fromMsg(const SetFlightPlan::Request& request, double gravity) {
+  FlightPlan plan;
+  plan.references = {request.x, request.y, request.z, request.yaw};
+  plan.feed_forward_mass = request.feed_forward_mass;
+  plan.gravity = gravity;
+  plan.initial_altitude_effort = request.initial_altitude_effort;
+  plan.exploration_start_ns = toNanoseconds(request.exploration_start);
+  plan.exploration_signal = request.exploration_signal;
+  // "empty: the hold goes on for ever", whatever the start stamp says.
+  if (plan.exploration_signal.empty()) plan.exploration_start_ns = FlightPlan().exploration_start_ns;
+  return plan;
+}
+
+mav_msgs::Actuators toMsg(const std::vector<double>& rotor_speed, const ros::Time& stamp) {
+  mav_msgs::Actuators msg;
+  msg.header.stamp = stamp;
+  msg.angular_velocities = rotor_speed;
+  return msg;
+}
+
+geometry_msgs::WrenchStamped toMsg(const ControlInput& input, const ros::Time& stamp, const std::string& frame) {
+  geometry_msgs::WrenchStamped msg;
+  msg.header.stamp = stamp;
+  msg.header.frame_id = frame;
+  msg.wrench.force.z = input(0);
+  msg.wrench.torque.x = input(1);
+  msg.wrench.torque.y = input(2);
+  msg.wrench.torque.z = input(3);
+  return msg;
+}
+
+void toMsg(const std::vector<ControlOutput>& record, FlightRecord::Response& response) {
+  for (const ControlOutput& out : record) {
+    response.time.push_back(toStamp(out.time_ns));
+    response.thrust.push_back(out.thrust);
+    response.tau_phi.push_back(out.tau_phi);
+    response.tau_theta.push_back(out.tau_theta);
+    response.tau_psi.push_back(out.tau_psi);
+    response.t_eff.push_back(out.t_eff);
+    response.clamped.push_back(static_cast<std::uint32_t>(out.clamped));
+  }
+}
+
+NodeConfig readNodeConfig() {
+  std::string path;
+  if (!ros::param::get("~config", path)) {
+    throw std::invalid_argument("parameter " + ros::this_node::getName() +
+                                "/config is missing; set it to the path of the experiment's YAML file");
+  }
+  const auto file = quad_support::ConfigReader::fromFile(path);
+  const quad_sim::SimulationConfig simulation = quad_sim::readSimulationConfig(path);
+  NodeConfig config;
+  config.vehicle = quad_sim::loadVehicle(simulation);
+  config.gravity = simulation.options.gravity;
+  config.step = simulation.options.step;
+  config.timing = readTimingConfig(file.section("timing"), config.step);
+  config.control = readControlConfig(file.section("control"), config.timing.sampling_period);
+  return config;
+}
+
+}  // namespace quad_control

@@ -1,0 +1,54 @@
+/// ROS messages to and from the library's types.
+#pragma once
+
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/WrenchStamped.h>
+#include <mav_msgs/Actuators.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/time.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "quad_control/FlightRecord.h"
+#include "quad_control/SetFlightPlan.h"
+#include "quad_control/control_config.hpp"
+#include "quad_control/flight_controller.hpp"
+
+namespace quad_control {
+
+/// Simulated nanoseconds of a stamp. ROS reads a zero stamp as "not set", so messages of simulated time 0 carry 1 ns;
+/// here it is 0 again.
+std::int64_t toNanoseconds(const ros::Time& stamp);
+ros::Time toStamp(std::int64_t time_ns);  ///< the inverse: 0 becomes 1 ns
+
+quad_sim::Odometry fromMsg(const nav_msgs::Odometry& msg);
+
+/// Position and heading of a pose; the heading is that of its z-y'-x'' angles.
+References fromMsg(const geometry_msgs::Pose& pose);
+
+/// @param gravity  g of the configuration [m/s²]
+FlightPlan fromMsg(const SetFlightPlan::Request& request, double gravity);
+
+/// Rotor speeds for the topic command/motor_speed; `stamp` is the odometry's, copied as it is.
+mav_msgs::Actuators toMsg(const std::vector<double>& rotor_speed, const ros::Time& stamp);
+
+/// U as a wrench in the body frame: force.z is the thrust, torque the three torques.
+geometry_msgs::WrenchStamped toMsg(const ControlInput& input, const ros::Time& stamp, const std::string& frame);
+
+void toMsg(const std::vector<ControlOutput>& record, FlightRecord::Response& response);
+
+/// What both nodes read from their one parameter, ~config: the path of the experiment's YAML file.
+struct NodeConfig {
+  quad_sim::VehicleModel vehicle;
+  double gravity = 0.0;  ///< [m/s²]
+  double step = 0.0;     ///< physics step [s]
+  ControlConfig control;
+  TimingConfig timing;
+};
+
+/// @throws std::invalid_argument (ConfigError with file and line) for a missing parameter or a wrong value
+NodeConfig readNodeConfig();
+
+}  // namespace quad_control

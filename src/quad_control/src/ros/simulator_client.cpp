@@ -1,0 +1,65 @@
+#include "simulator_client.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "conversions.hpp"
+#include "quad_support/errors.hpp"
+
+namespace quad_control {
+namespace {
+
+using quad_support::EnvironmentError;
+
+constexpr char kStep[] = "/gazebo/step";
+
+[[noreturn]] void failUnreachable(const std::string& service) {
+  throw EnvironmentError(service + " does not answer: the simulator is gone or was never started (quad_sim_node)");
+}
+
+// Persistent: a new connection costs ten times the call.
+template <class Service>
+bool tryOnce(ros::NodeHandle& handle, ros::ServiceClient& client, const std::string& name, Service& call) {
+  if (!client.isValid()) client = handle.serviceClient<Service>(name, /*persistent=*/true);
+  if (client.isValid() && client.call(call)) return true;
+  client.shutdown();
+  return false;
+}
+
+}  // namespace
+
+void SimulatorClient::waitUntilThere(double timeout) {
+  if (!ros::service::waitForService(kStep, ros::Duration(timeout))) failUnreachable(kStep);
+}
+
+void SimulatorClient::callEmpty(ros::ServiceClient& client, const std::string& name) {
+  std_srvs::Empty call;  // pausing or resetting twice is the same as once
+  if (!tryOnce(handle_, client, name, call) && !tryOnce(handle_, client, name, call)) failUnreachable(name);
+}
+
+bool SimulatorClient::tryStep(quad_sim::Step& call) {
+  if (!tryOnce(handle_, step_, kStep, call)) return false;
+  if (!call.response.success) throw EnvironmentError(std::string(kStep) + ": " + call.response.message);
+  return true;
+}
+
+quad_sim::Step::Response SimulatorClient::read(const ros::Time& command_stamp, double timeout) {
+  quad_sim::Step call;
+  call.request.command_stamp = command_stamp;
+  call.request.timeout = timeout;
+  if (!tryStep(call) && !tryStep(call)) failUnreachable(kStep);  // reading changes nothing
+  return std::move(call.response);
+}
+
+quad_sim::Step::Response SimulatorClient::step(const quad_sim::Step::Request& request, std::int64_t before_ns) {
+  quad_sim::Step call;
+  call.request = request;
+  if (tryStep(call)) return std::move(call.response);
+  quad_sim::Step::Response now = read(ros::Time(), request.timeout);
+  if (toNanoseconds(now.odometry.header.stamp) != before_ns) return now;  // made; only the answer was lost
+  if (!tryStep(call)) failUnreachable(kStep);
+  return std::move(call.response);
+}
+
+}  // namespace quad_control

@@ -1,0 +1,37 @@
+/// The simulator's services as the time manager calls them: persistent connections, one careful retry.
+#pragma once
+
+#include <quad_sim/Step.h>
+#include <ros/ros.h>
+#include <std_srvs/Empty.h>
+
+#include <string>
+
+namespace quad_control {
+
+/// All functions throw quad_support::EnvironmentError when the simulator cannot be reached or refuses.
+class SimulatorClient {
+ public:
+  explicit SimulatorClient(const ros::NodeHandle& handle) : handle_(handle) {}
+
+  /// Waits until /gazebo/step is offered, at most `timeout` [s] of wall time.
+  void waitUntilThere(double timeout);
+  void pause() { callEmpty(pause_, "/gazebo/pause_physics"); }
+  void unpause() { callEmpty(unpause_, "/gazebo/unpause_physics"); }
+  void reset() { callEmpty(reset_, "/gazebo/reset_simulation"); }
+
+  /// One /gazebo/step. Where the connection breaks in between, the state is read again, and only a step that has not
+  /// been made is repeated. @param before_ns  simulated time before the step
+  quad_sim::Step::Response step(const quad_sim::Step::Request& request, std::int64_t before_ns);
+  /// The present state; waits for the command stamped `command_stamp` unless that is zero.
+  quad_sim::Step::Response read(const ros::Time& command_stamp, double timeout);
+
+ private:
+  void callEmpty(ros::ServiceClient& client, const std::string& name);
+  bool tryStep(quad_sim::Step& call);
+
+  ros::NodeHandle handle_;
+  ros::ServiceClient pause_, unpause_, reset_, step_;
+};
+
+}  // namespace quad_control

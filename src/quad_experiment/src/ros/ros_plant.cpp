@@ -1,0 +1,133 @@
+#include "ros_plant.hpp"
+
+#include <fmt/core.h>
+#include <quad_control/Advance.h>
+#include <quad_control/Begin.h>
+#include <quad_control/FlightRecord.h>
+#include <quad_control/SetFlightPlan.h>
+#include <quad_control/TimingReport.h>
+
+#include <cmath>
+#include <thread>
+
+#include "quad_support/errors.hpp"
+#include "quad_support/interrupt.hpp"
+
+namespace quad_experiment {
+namespace {
+
+using quad_support::EnvironmentError;
+
+/// Simulated time of a stamp. Time zero is stamped 1 ns, for ROS reads a zero stamp as unset.
+std::int64_t nanoseconds(const ros::Time& stamp) {
+  const auto ns = static_cast<std::int64_t>(stamp.toNSec());
+  return ns == 1 ? 0 : ns;
+}
+
+quad_sim::Measurement toMeasurement(const nav_msgs::Odometry& odometry, const mav_msgs::Actuators& motor_speed) {
+  quad_sim::Measurement m;
+  const auto& pose = odometry.pose.pose;
+  const auto& twist = odometry.twist.twist;
+  m.odometry.time_ns = nanoseconds(odometry.header.stamp);
+  m.odometry.p_WB = {pose.position.x, pose.position.y, pose.position.z};
+  m.odometry.q_WB = Eigen::Quaterniond(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
+  m.odometry.v_WB_B = {twist.linear.x, twist.linear.y, twist.linear.z};
+  m.odometry.w_WB_B = {twist.angular.x, twist.angular.y, twist.angular.z};
+  for (const double speed : motor_speed.angular_velocities) m.rotor_speed.push_back(std::abs(speed));
+  return m;
+}
+
+template <class Service>
+void ask(ros::ServiceClient& client, Service& service) {
+  if (!client.call(service)) {
+    quad_support::throwIfInterrupted();
+    throw EnvironmentError(fmt::format("{} does not answer: its node was lost", client.getService()));
+  }
+  if (!service.response.success) {
+    quad_support::throwIfInterrupted();
+    throw EnvironmentError(fmt::format("{}: {}", client.getService(), service.response.message));
+  }
+}
+
+template <class Service>
+ros::ServiceClient connect(ros::NodeHandle& node, const std::string& name,
+                           std::chrono::steady_clock::time_point deadline) {
+  while (!ros::service::exists(name, false)) {
+    quad_support::throwIfInterrupted();
+    if (!ros::ok()) throw EnvironmentError("ROS was shut down before the flight");
+    if (std::chrono::steady_clock::now() > deadline) {
+      throw EnvironmentError(fmt::format("nobody offers the service {}; is its node running?", name));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return node.serviceClient<Service>(name, true);
+}
+
+}  // namespace
+
+RosPlant::RosPlant(ros::NodeHandle& node, const RosPlantOptions& options, double start_timeout) : options_(options) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                                               std::chrono::duration<double>(start_timeout));
+  set_flight_plan_ = connect<quad_control::SetFlightPlan>(node, options.controller + "/set_flight_plan", deadline);
+  flight_record_ = connect<quad_control::FlightRecord>(node, options.controller + "/flight_record", deadline);
+  begin_ = connect<quad_control::Begin>(node, options.time_manager + "/begin", deadline);
+  advance_ = connect<quad_control::Advance>(node, options.time_manager + "/advance", deadline);
+  end_ = connect<quad_control::TimingReport>(node, options.time_manager + "/end", deadline);
+}
+
+quad_sim::Measurement RosPlant::begin(const quad_control::FlightPlan& plan) {
+  quad_control::SetFlightPlan set;
+  set.request.x = plan.references.x;
+  set.request.y = plan.references.y;
+  set.request.z = plan.references.z;
+  set.request.yaw = plan.references.yaw;
+  set.request.feed_forward_mass = plan.feed_forward_mass;
+  set.request.initial_altitude_effort = plan.initial_altitude_effort;
+  set.request.exploration_signal = plan.exploration_signal;
+  if (!plan.exploration_signal.empty()) {
+    set.request.exploration_start.fromNSec(static_cast<std::uint64_t>(plan.exploration_start_ns));
+  }
+  ask(set_flight_plan_, set);
+  quad_control::Begin begin;
+  begin.request.timeout = options_.timeout;
+  ask(begin_, begin);
+  started_ = std::chrono::steady_clock::now();
+  return toMeasurement(begin.response.odometry, begin.response.motor_speed);
+}
+
+quad_sim::Measurement RosPlant::advance(const Interval& interval) {
+  quad_control::Advance call;
+  call.request.steps = static_cast<std::uint32_t>(interval.steps);
+  call.request.hold_steps = static_cast<std::uint32_t>(interval.hold_steps);
+  call.request.timeout = options_.timeout;
+  ask(advance_, call);
+  pace(nanoseconds(call.response.odometry.header.stamp));
+  return toMeasurement(call.response.odometry, call.response.motor_speed);
+}
+
+std::vector<quad_control::ControlOutput> RosPlant::end() {
+  quad_control::TimingReport report;
+  report.request.timeout = options_.timeout;
+  ask(end_, report);
+  quad_control::FlightRecord record;
+  ask(flight_record_, record);
+  const auto& r = record.response;
+  std::vector<quad_control::ControlOutput> commands(r.time.size());
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    commands[i].time_ns = nanoseconds(r.time[i]);
+    commands[i].thrust = r.thrust.at(i);
+    commands[i].tau_phi = r.tau_phi.at(i);
+    commands[i].tau_theta = r.tau_theta.at(i);
+    commands[i].tau_psi = r.tau_psi.at(i);
+    commands[i].t_eff = r.t_eff.at(i);
+    commands[i].clamped = static_cast<int>(r.clamped.at(i));
+  }
+  return commands;
+}
+
+void RosPlant::pace(std::int64_t time_ns) {
+  if (options_.rate <= 0.0) return;
+  std::this_thread::sleep_until(started_ + std::chrono::nanoseconds(std::llround(static_cast<double>(time_ns) / options_.rate)));
+}
+
+}  // namespace quad_experiment

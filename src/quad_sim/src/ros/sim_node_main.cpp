@@ -1,0 +1,49 @@
+// The simulator node. Parameters: ~config, ~odometry_every, ~paused, ~real_time_factor; see launch/sim.launch.
+#include <ros/ros.h>
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+
+#include "quad_support/interrupt.hpp"
+#include "quad_support/program.hpp"
+#include "sim_node.hpp"
+
+namespace {
+
+quad_sim::SimNodeOptions readOptions(const ros::NodeHandle& own, double step) {
+  quad_sim::SimNodeOptions options;
+  const int ten_milliseconds = static_cast<int>(std::max(1.0, std::round(0.01 / step)));
+  options.odometry_every = own.param("odometry_every", ten_milliseconds);
+  options.real_time_factor = own.param("real_time_factor", 1.0);
+  options.paused = own.param("paused", true);
+  if (options.odometry_every < 0) throw std::invalid_argument("~odometry_every must be >= 0 physics steps");
+  if (!(options.real_time_factor >= 0) || !std::isfinite(options.real_time_factor)) {
+    throw std::invalid_argument("~real_time_factor must be >= 0 (0: as fast as possible)");
+  }
+  return options;
+}
+
+int run(int argc, char** argv) {
+  ros::init(argc, argv, "gazebo");
+  const ros::NodeHandle own("~");
+  std::string path;
+  if (!own.getParam("config", path) || path.empty()) {
+    throw std::invalid_argument("parameter ~config is missing; give the path of a YAML file, for instance "
+                                "roslaunch launch/sim.launch config:=config/thesis.yaml");
+  }
+  const quad_sim::SimulationConfig config = quad_sim::readSimulationConfig(path);
+  const quad_sim::SimNode node(config, readOptions(own, config.options.step));
+  while (ros::ok()) {
+    quad_support::throwIfInterrupted();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return quad_support::runProgram("quad_sim_node", [&] { return run(argc, argv); });
+}
