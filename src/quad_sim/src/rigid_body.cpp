@@ -33,6 +33,7 @@ void initOde() {
 }  // namespace
 
 struct RigidBody::Ode {
+  dThreadingImplementationID threading = nullptr;  ///< of this world alone, so that worlds may step in several threads
   dWorldID world = nullptr;
   dBodyID body = nullptr;
   dJointGroupID contacts = nullptr;
@@ -49,6 +50,7 @@ struct RigidBody::Ode {
     if (plane) dGeomDestroy(plane);
     if (contacts) dJointGroupDestroy(contacts);
     if (world) dWorldDestroy(world);
+    if (threading) dThreadingFreeImplementation(threading);
   }
   Vector3d p() const { return Vector3d(position[0], position[1], position[2]); }
   Matrix3d R() const { return MatrixInOde(rotation).leftCols<3>(); }
@@ -65,6 +67,8 @@ RigidBody::RigidBody(const VehicleModel& model, double step, double gravity, boo
   initOde();
   Ode& ode = *ode_;
   ode.world = dWorldCreate();
+  ode.threading = dThreadingAllocateSelfThreadedImplementation();  // ODE's default one is shared by all worlds
+  dWorldSetStepThreadingImplementation(ode.world, dThreadingImplementationGetFunctions(ode.threading), ode.threading);
   dWorldSetERP(ode.world, 0.2);  // RotorS's world: erp 0.2, cfm 0
   dWorldSetCFM(ode.world, 0.0);
   dWorldSetContactSurfaceLayer(ode.world, kContactLayer);
