@@ -83,10 +83,10 @@ double newtonStep(const QuadraticProgram& program, const DualBarrier& barrier, d
   return 0.0;  // no progress in double precision: as centred as it gets
 }
 
-int centre(const QuadraticProgram& program, const DualBarrier& barrier, double mu, MatrixXd& Z) {
+int centre(const QuadraticProgram& program, const DualBarrier& barrier, double mu, double decrement, MatrixXd& Z) {
   constexpr int kMaxSteps = 60;
   int steps = 0;
-  while (steps < kMaxSteps && newtonStep(program, barrier, mu, Z) > 0.1) ++steps;
+  while (steps < kMaxSteps && newtonStep(program, barrier, mu, Z) > decrement) ++steps;
   return steps + 1;
 }
 
@@ -143,7 +143,8 @@ DualSolution solveDual(const QuadraticProgram& program, double gap) {
   const double last = gap / (n + p);
   double mu = 0.1 / (n + p);  // the maximum is at most 1/2, the cost of the reference
   for (;;) {
-    dual.newton_steps += centre(program, barrier, mu, dual.Z);
+    // The last centre is sharp: what remains of the gradient enters the lifted matrix many times over.
+    dual.newton_steps += centre(program, barrier, mu, mu <= last ? 1e-6 : 0.1, dual.Z);
     if (mu <= last) break;
     mu = std::max(last, 0.1 * mu);
   }
