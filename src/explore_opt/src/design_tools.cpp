@@ -16,6 +16,14 @@ constexpr double kLeastEigenvalueRatio = 1e-9;
 constexpr std::uint64_t kDirectionStream = 0x646972656374;  // of this purpose alone
 constexpr std::uint64_t kSimpleDirections = 1 << 20;        // apart from the solver's random starts
 
+/// λ_max(H(Z)), from above: what rounding may have hidden in the sums of products is added.
+double largestEigenvalue(const PredictedResponse& response, const MatrixXd& Z) {
+  PredictedResponse sizes;
+  for (const MatrixXd& F : response.factors) sizes.factors.push_back(F.cwiseAbs());
+  const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * sizes.gramOf(Z.cwiseAbs()).norm();
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(response.gramOf(Z)).eigenvalues().tail(1)(0) + rounding;
+}
+
 }  // namespace
 
 bool DesignTask::excites(const VectorXd& direction) const {
@@ -47,12 +55,11 @@ Certificate DesignTask::certify(const MatrixXd& Z) const {
   Certificate certificate;
   certificate.Z = cone.eigenvectors() * positive.asDiagonal() * cone.eigenvectors().transpose();
   certificate.Z = 0.5 * (certificate.Z + certificate.Z.transpose()).eval();
-  const MatrixXd H = response.gramOf(certificate.Z);
-  const double largest = Eigen::SelfAdjointEigenSolver<MatrixXd>(H).eigenvalues().tail(1)(0);
+  const double largest = largestEigenvalue(response, certificate.Z);
   const double square = gamma_w * certificate.Z.trace() / largest;
   if (!(largest > 0.0) || !std::isfinite(square)) return {MatrixXd::Zero(Z.rows(), Z.cols()), 0.0};
   certificate.Z /= 2.0 * largest;  // the multiplier of ½‖a‖²: 2 λ_max(H(Z)) = 1
-  certificate.bound = std::sqrt(square) * (1.0 - 1e-12);
+  certificate.bound = std::sqrt(square) * (1.0 - 1e-13);
   return certificate;
 }
 

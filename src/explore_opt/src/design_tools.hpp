@@ -36,7 +36,7 @@ struct DesignTask {
   double cost(const Eigen::VectorXd& direction) const;
   /// The multiple of an exciting direction with λ_min(N) = γ_w, from above by rounding.
   Eigen::VectorXd onBoundary(const Eigen::VectorXd& direction) const;
-  /// sqrt(γ_w tr Z/λ_max(H(Z))) of the positive part of Z, less 1e-12 of it for rounding.
+  /// sqrt(γ_w tr Z/λ_max(H(Z))) of the positive part of Z, less what rounding may have added.
   Certificate certify(const Eigen::MatrixXd& Z) const;
   /// Components of a as carriers x n_u.
   Eigen::MatrixXd table(const Eigen::VectorXd& a) const;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <cmath>
 
 namespace explore_opt {
@@ -38,31 +39,54 @@ VectorXd traces(const MatrixXd& columns, Index n) {
   return sum;
 }
 
-/// One Newton step with backtracking; returns the Newton decrement before it.
-double newtonStep(const DualBarrier& barrier, double mu, MatrixXd& Z) {
+/// Change of the barrier along Z + t D: φ(t) = slope t - Σ log(1 + t rates). The rates are eigenvalues of D and of
+/// -2 H(D) relative to Z and to I - 2 H(Z); differences of the barrier's values would drown in their rounding.
+struct Ray {
+  double slope;
+  VectorXd rates;
+
+  double longest() const {  // 0.99 of the way to the boundary, at most 1
+    const double least = rates.minCoeff();
+    return least < -0.99 ? -0.99 / least : 1.0;
+  }
+  double change(double t) const { return slope * t - (t * rates).array().log1p().sum(); }
+};
+
+VectorXd relativeEigenvalues(const MatrixXd& m, const MatrixXd& direction) {
+  const MatrixXd white = Eigen::Map<const MatrixXd>(whitened(m, {direction}).data(), m.rows(), m.cols());
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(white, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+/// One Newton step with backtracking; returns the Newton decrement before it, 0 if it cannot go on.
+double newtonStep(const QuadraticProgram& program, const DualBarrier& barrier, double mu, MatrixXd& Z) {
   VectorXd gradient;
-  MatrixXd hessian;
-  barrier.derivatives(Z, mu, gradient, hessian);
-  const VectorXd step = -hessian.ldlt().solve(gradient);
-  const double decrement = std::sqrt(std::max(0.0, -gradient.dot(step)));
-  if (!std::isfinite(decrement)) return 0.0;
-  double before = 0.0, after = 0.0;
-  if (!barrier.value(Z, mu, before)) return 0.0;
+  MatrixXd root;
+  barrier.gradientAndRoot(Z, mu, gradient, root);
+  // Hessian = rootᵀ root; its triangle from a QR keeps the digits that forming the product would lose.
+  const MatrixXd R = Eigen::HouseholderQR<MatrixXd>(root).matrixQR().topRows(root.cols()).triangularView<Eigen::Upper>();
+  const auto upper = R.triangularView<Eigen::Upper>();
+  const VectorXd half = upper.transpose().solve(gradient);
+  const VectorXd step = -upper.solve(half);
+  const double square = -gradient.dot(step);
+  if (!(square > 0.0) || !std::isfinite(square)) return 0.0;
   const MatrixXd direction = barrier.matrix(step);
-  for (double t = 1.0; t > 1e-10; t *= 0.5) {
-    const MatrixXd candidate = Z + t * direction;
-    if (barrier.value(candidate, mu, after) && after <= before - 0.1 * t * decrement * decrement + 1e-12) {
-      Z = candidate;
-      return decrement;
-    }
+  Ray ray;
+  ray.slope = -program.rightSide().cwiseProduct(direction).sum() / mu;
+  ray.rates.resize(program.size() + program.numAmplitudes());
+  ray.rates << relativeEigenvalues(Z, direction),
+      relativeEigenvalues(barrier.slack(Z), -2.0 * program.H(direction));
+  for (double t = ray.longest(); t > 1e-8; t *= 0.5) {
+    if (ray.change(t) > -0.1 * t * square) continue;
+    Z += t * direction;
+    return std::sqrt(square);
   }
   return 0.0;  // no progress in double precision: as centred as it gets
 }
 
-int centre(const DualBarrier& barrier, double mu, MatrixXd& Z) {
+int centre(const QuadraticProgram& program, const DualBarrier& barrier, double mu, double decrement, MatrixXd& Z) {
   constexpr int kMaxSteps = 60;
   int steps = 0;
-  while (steps < kMaxSteps && newtonStep(barrier, mu, Z) > 0.1) ++steps;
+  while (steps < kMaxSteps && newtonStep(program, barrier, mu, Z) > decrement) ++steps;
   return steps + 1;
 }
 
@@ -102,10 +126,11 @@ bool DualBarrier::value(const MatrixXd& Z, double mu, double& f) const {
   return true;
 }
 
-void DualBarrier::derivatives(const MatrixXd& Z, double mu, VectorXd& gradient, MatrixXd& hessian) const {
+void DualBarrier::gradientAndRoot(const MatrixXd& Z, double mu, VectorXd& gradient, MatrixXd& root) const {
   const MatrixXd cone = whitened(Z, basis_), energy = whitened(slack(Z), images_);
   gradient = -reward_ / mu - traces(cone, program_.size()) + traces(energy, program_.numAmplitudes());
-  hessian = cone.transpose() * cone + energy.transpose() * energy;
+  root.resize(cone.rows() + energy.rows(), cone.cols());
+  root << cone, energy;
 }
 
 DualSolution solveDual(const QuadraticProgram& program, double gap) {
@@ -118,7 +143,8 @@ DualSolution solveDual(const QuadraticProgram& program, double gap) {
   const double last = gap / (n + p);
   double mu = 0.1 / (n + p);  // the maximum is at most 1/2, the cost of the reference
   for (;;) {
-    dual.newton_steps += centre(barrier, mu, dual.Z);
+    // The last centre is sharp: what remains of the gradient enters the lifted matrix many times over.
+    dual.newton_steps += centre(program, barrier, mu, mu <= last ? 1e-6 : 0.1, dual.Z);
     if (mu <= last) break;
     mu = std::max(last, 0.1 * mu);
   }

@@ -19,14 +19,15 @@ struct DualSolution {
 /// converge because this barrier is self-concordant. Ends with gap (n + p) μ <= `gap`.
 DualSolution solveDual(const QuadraticProgram& program, double gap);
 
-/// Value, gradient and Hessian of that barrier in the entries of the lower triangle of Z, for its test.
+/// Value and derivatives of that barrier in the entries of the lower triangle of Z.
 class DualBarrier {
  public:
   explicit DualBarrier(const QuadraticProgram& program);
   int numVariables() const { return static_cast<int>(basis_.size()); }
   Eigen::MatrixXd matrix(const Eigen::VectorXd& z) const;
   bool value(const Eigen::MatrixXd& Z, double mu, double& f) const;  ///< false outside the domain
-  void derivatives(const Eigen::MatrixXd& Z, double mu, Eigen::VectorXd& gradient, Eigen::MatrixXd& hessian) const;
+  /// The Hessian is rootᵀ root.
+  void gradientAndRoot(const Eigen::MatrixXd& Z, double mu, Eigen::VectorXd& gradient, Eigen::MatrixXd& root) const;
   Eigen::MatrixXd slack(const Eigen::MatrixXd& Z) const;  ///< I - 2 H(Z)
 
  private:

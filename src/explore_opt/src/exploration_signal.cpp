@@ -30,7 +30,9 @@ Turn turn(double fraction) {
 }
 
 Turn turnOfHarmonic(std::int64_t harmonic, std::int64_t k, std::int64_t T) {
-  return turn(static_cast<double>(harmonic * k % T) / static_cast<double>(T));
+  const std::int64_t rest = harmonic * k % T;
+  const std::int64_t nearest = 2 * rest > T ? rest - T : rest;  // within half a turn: sines come out exactly odd
+  return turn(static_cast<double>(nearest) / static_cast<double>(T));
 }
 
 Turn turnOfFrequency(double frequency, double k) {
