@@ -40,7 +40,7 @@ struct LoopMargins {
   double gain_up = 0.0;           ///< the loop may become so many times stronger (up to 50 is looked at)
   double gain_down = 0.0;         ///< … or be scaled down to this (down to 0.02 is looked at)
   double phase_degrees = 0.0;     ///< smallest phase margin over all crossovers
-  double delay_s = 0.0;           ///< smallest delay margin [s] beyond the latency already there
+  double delay_s = 0.0;           ///< smallest delay margin [s] beyond the latency already there, by phase
   double sensitivity_peak = 0.0;  ///< max |1 / (1 + L)| over all frequencies
 };
 
