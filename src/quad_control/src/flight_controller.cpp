@@ -15,7 +15,7 @@ using quad_support::ConfigError;
 
 constexpr double kPi = 3.14159265358979323846;
 
-// The largest roll, pitch and yaw torques the rotors can add to `thrust` alone, and the range of T_eff around it.
+// The torque about `axis` that the rotors can add to `thrust`, the other torques zero.
 OutputLimits torqueLimits(const Mixer& mixer, double thrust, int axis) {
   const double margin = mixer.margin({thrust, 0.0, 0.0, 0.0}, axis);
   return {-margin, margin};

@@ -19,8 +19,9 @@ bool call(const std::string& name, Service& service) {
 }
 
 TEST(Wallclock, IntervalsComeOutAsAsked) {
-  for (int i = 0; i < 1000 && !ros::service::exists("/hummingbird/time_manager/end", false); ++i) {
-    ros::WallDuration(0.02).sleep();
+  for (const char* name : {"/hummingbird/time_manager/end", "/hummingbird/controller/flight_record"}) {
+    for (int i = 0; i < 1000 && !ros::service::exists(name, false); ++i) ros::WallDuration(0.02).sleep();
+    ASSERT_TRUE(ros::service::exists(name, true));
   }
   SetFlightPlan plan;
   plan.request.z = 5000.0;
