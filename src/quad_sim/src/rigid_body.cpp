@@ -1,5 +1,6 @@
 #include "rigid_body.hpp"
 
+#include <fmt/core.h>
 #include <ode/ode.h>
 
 #include <Eigen/LU>
@@ -7,6 +8,9 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+
+#include "quad_support/errors.hpp"
+#include "quad_support/number_format.hpp"
 
 namespace quad_sim {
 namespace {
@@ -145,6 +149,13 @@ Vector3d RigidBody::midpointRate(const Vector3d& Pi, const Vector3d& momentum_B,
   return w;
 }
 
+void RigidBody::checkRate(const Vector3d& w) const {
+  // Beyond a radian a step nothing is resolved any more, and ODE ends the process on a turn that is not finite.
+  if (h_ * h_ * w.squaredNorm() <= 1.0) return;
+  throw quad_support::SimulationError(
+      fmt::format("the body turns at {} rad/s, more than a radian in a step", quad_support::shortest(w.norm())));
+}
+
 bool RigidBody::step(const StepLoad& load) {
   const Matrix3d R = ode_->R();
   if (reach_ >= 0 && ode_->position[2] < reach_ && collide(R) > 0) {
@@ -155,6 +166,7 @@ bool RigidBody::step(const StepLoad& load) {
   const double half = 0.5 * h_;
   const double stretch = rateStretch(half * half * w_B_.squaredNorm());
   const Vector3d w = midpointRate(Pi_B_ + half * load.torque_B, load.momentum_mean_B, half * stretch);
+  checkRate(w);
   // Body-fixed loads as seen from W in the middle of the step: R_mid = R (1 + (h/2) [w]x) to second order.
   const Vector3d turn = half * w;
   Vector3d dv = R * (h_ / mass_ * (load.force_B + turn.cross(load.force_B)));
@@ -173,7 +185,9 @@ bool RigidBody::step(const StepLoad& load) {
 /// In contact all of the force acts before the step (semi-implicit Euler, as ODE does it), for the solver must see it.
 void RigidBody::stepInContact(const Matrix3d& R, const StepLoad& load) {
   v_W_ += (h_ / mass_) * (R * load.force_B) - Vector3d(0, 0, h_ * gravity_);
-  const Vector3d w_W = R * (inverse_inertia_ * (Pi_B_ + h_ * load.torque_B - load.momentum_end_B));
+  const Vector3d w_B = inverse_inertia_ * (Pi_B_ + h_ * load.torque_B - load.momentum_end_B);
+  checkRate(w_B);
+  const Vector3d w_W = R * w_B;
   dBodySetLinearVel(ode_->body, v_W_.x(), v_W_.y(), v_W_.z());
   dBodySetAngularVel(ode_->body, w_W.x(), w_W.y(), w_W.z());
   dRandSetSeed(0);  // QuickStep draws the order of the constraints from a generator that is one for the process

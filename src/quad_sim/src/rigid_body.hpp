@@ -35,6 +35,7 @@ class RigidBody {
     input.w_WB_B = w_B_;
   }
   /// One physics step under the load. Returns whether the body touched the ground.
+  /// @throws quad_support::SimulationError if the body turns by more than a radian in the step
   bool step(const StepLoad& load);
   bool isFinite() const;
 
@@ -44,6 +45,7 @@ class RigidBody {
   /// Rate [rad/s, body axes] of the step's rotation: w = I^-1 (Pi_mid - momentum), Pi_mid = Pi + a Pi_mid x w, where
   /// Pi is the angular momentum in body axes and a = h/2, stretched as the rate ODE is given (see rateStretch()).
   Eigen::Vector3d midpointRate(const Eigen::Vector3d& Pi, const Eigen::Vector3d& momentum_B, double a) const;
+  void checkRate(const Eigen::Vector3d& w) const;
   int collide(const Eigen::Matrix3d& R_WB);
   void stepInContact(const Eigen::Matrix3d& R, const StepLoad& load);
   void refreshBodyRates(const Eigen::Vector3d& momentum_B);

@@ -169,11 +169,16 @@ const CommandCounts& Simulator::commandCounts() const { return world_->counts; }
 
 void Simulator::advance(int steps) {
   if (steps < 0) throw std::invalid_argument(fmt::format("advance: {} steps; must be >= 0", steps));
-  for (int i = 0; i < steps; ++i) world_->step();
-  if (!world_->body.isFinite()) {
-    throw quad_support::SimulationError(fmt::format("the simulation diverged before {} s of simulated time",
-                                                    shortest(static_cast<double>(timeNanoseconds()) * 1e-9)));
+  std::string problem;
+  try {
+    for (int i = 0; i < steps; ++i) world_->step();
+    if (world_->body.isFinite()) return;
+    problem = "the state is no longer finite";
+  } catch (const quad_support::SimulationError& e) {
+    problem = e.what();
   }
+  throw quad_support::SimulationError(fmt::format("diverged: {} at {} s of simulated time", problem,
+                                                  shortest(static_cast<double>(timeNanoseconds()) / 1e9)));
 }
 
 std::int64_t Simulator::stepCount() const { return world_->step_count; }

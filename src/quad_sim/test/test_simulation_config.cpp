@@ -1,0 +1,74 @@
+// The sections vehicle and simulation: every key, its limits and the text of the complaints.
+#include <gmock/gmock.h>
+
+#include "hummingbird.hpp"
+#include "quad_support/errors.hpp"
+
+namespace quad_sim {
+namespace {
+
+using quad_support::ConfigReader;
+using testing::HasSubstr;
+
+const char* const kGood = R"(vehicle:
+  urdf: hummingbird.urdf
+  namespace: hummingbird
+  mass: 0.73
+simulation:
+  step: 0.001
+  gravity: 9.8
+  multibody: folded
+  profile: default
+  ground: true
+  initial_altitude: 5000.0
+)";
+
+SimulationConfig read(const std::string& text) {
+  const ConfigReader file = ConfigReader::fromText(text, "c.yaml");
+  return readSimulationConfig(file.section("vehicle"), file.section("simulation"));
+}
+std::string says(const std::string& from, const std::string& to) {
+  return complaint<quad_support::ConfigError>([&] { read(replaced(kGood, from, to)); });
+}
+
+TEST(SimulationConfig, ReadsEveryKey) {
+  const SimulationConfig c = read(kGood);
+  EXPECT_EQ(c.vehicle_namespace, "hummingbird");
+  EXPECT_EQ(c.mass, 0.73);
+  EXPECT_EQ(c.options.step, 0.001);
+  EXPECT_EQ(c.options.gravity, 9.8);
+  EXPECT_TRUE(c.options.ground);
+  EXPECT_EQ(c.initial_altitude, 5000);
+  EXPECT_EQ(read(replaced(kGood, "0.73", "urdf")).mass, std::nullopt);
+}
+
+TEST(SimulationConfig, StartsInEquilibrium) {
+  const SimulationConfig c = read(kGood);
+  const VehicleModel m = loadVehicle(c);
+  Simulator s = makeSimulator(c, m);
+  EXPECT_EQ(m.mass, 0.73);
+  EXPECT_EQ(s.state().p_WB, Eigen::Vector3d(0, 0, 5000));
+  EXPECT_EQ(s.command(), std::vector<double>(4, hoverSpeed(m, 9.8)));
+  EXPECT_EQ(s.state().rotor_speed, s.command());
+}
+
+TEST(SimulationConfig, ComplaintsNameLineKeyAndLimit) {
+  EXPECT_THAT(says("hummingbird.urdf", "nobody.urdf"), HasSubstr("c.yaml:2: vehicle.urdf = nobody.urdf; is neither"));
+  EXPECT_THAT(says("namespace: hummingbird", "namespace: /x"), HasSubstr("vehicle.namespace = /x; must be a ROS name"));
+  EXPECT_THAT(says("0.73", "-1"), HasSubstr("vehicle.mass = -1"));
+  EXPECT_THAT(says("step: 0.001", "step: 0.00100000005"), HasSubstr("whole number of nanoseconds"));
+  EXPECT_THAT(says("gravity: 9.8", "gravity: -9.8"), HasSubstr("simulation.gravity = -9.8"));
+  EXPECT_THAT(says("folded", "welded"), HasSubstr("simulation.multibody = welded"));
+  EXPECT_THAT(says("initial_altitude: 5000.0", "initial_altitude: -1"), HasSubstr("initial_altitude = -1"));
+  EXPECT_THAT(says("ground: true", "grund: true"), HasSubstr("simulation.ground is missing"));
+  EXPECT_THAT(says("ground: true", "ground: true\n  sky: 1"), HasSubstr("simulation.sky"));
+}
+
+TEST(SimulationConfig, AUrdfBesideTheFileComesFirst) {
+  EXPECT_EQ(findUrdf("CMakeLists.txt", "."), "./CMakeLists.txt");
+  EXPECT_EQ(findUrdf("nobody.urdf", "."), "");
+  EXPECT_EQ(findUrdf(hummingbirdPath(), "/"), hummingbirdPath());
+}
+
+}  // namespace
+}  // namespace quad_sim
