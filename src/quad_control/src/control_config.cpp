@@ -39,9 +39,6 @@ ControlConfig readControlConfig(const ConfigReader& control, double sampling_per
   config.yaw = readGains(control, "yaw");
   config.altitude = readGains(control, "altitude");
   config.position_loop = control.boolean("position_loop");
-  if (config.position_loop) {
-    control.fail("position_loop", "the outer position loop of thesis Fig. 1.2 is not available; set it to false");
-  }
   config.hold_time = control.number("hold_time", Range::nonNegative("s"));
   control.finish();
   return config;

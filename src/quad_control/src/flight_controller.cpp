@@ -15,7 +15,7 @@ using quad_support::ConfigError;
 
 constexpr double kPi = 3.14159265358979323846;
 
-// The largest roll, pitch and yaw torques the rotors can add to `thrust` alone, and the range of T_eff around it.
+// The torque about `axis` that the rotors can add to `thrust`, the other torques zero.
 OutputLimits torqueLimits(const Mixer& mixer, double thrust, int axis) {
   const double margin = mixer.margin({thrust, 0.0, 0.0, 0.0}, axis);
   return {-margin, margin};
@@ -58,6 +58,17 @@ Eigen::Vector3d rollPitchYaw(const Eigen::Quaterniond& q_WB) {
 double wrapAngle(double angle) {
   const double wrapped = std::remainder(angle, 2.0 * kPi);
   return wrapped <= -kPi ? kPi : wrapped;
+}
+
+TiltReference positionLoop(const References& references, const quad_sim::Odometry& odometry, double gravity) {
+  constexpr double kBandwidth = 0.3, kMaxTilt = 0.15;  // [rad/s], [rad]
+  const Eigen::Vector3d v_WB = odometry.q_WB.normalized() * odometry.v_WB_B;
+  const double ax = kBandwidth * (kBandwidth * (references.x - odometry.p_WB.x()) - 2.0 * v_WB.x());
+  const double ay = kBandwidth * (kBandwidth * (references.y - odometry.p_WB.y()) - 2.0 * v_WB.y());
+  const double yaw = rollPitchYaw(odometry.q_WB).z();
+  const double ahead = ax * std::cos(yaw) + ay * std::sin(yaw);
+  const double left = ay * std::cos(yaw) - ax * std::sin(yaw);
+  return {std::clamp(-left / gravity, -kMaxTilt, kMaxTilt), std::clamp(ahead / gravity, -kMaxTilt, kMaxTilt)};
 }
 
 std::vector<RotorGeometry> rotorGeometry(const quad_sim::VehicleModel& vehicle) {
@@ -132,11 +143,13 @@ const ControlOutput& FlightController::update(const quad_sim::Odometry& odometry
   out.time_ns = odometry.time_ns;
   const Eigen::Vector3d angles = rollPitchYaw(odometry.q_WB);
   const Eigen::Vector3d& rates = odometry.w_WB_B;
-  out.tau_phi = loops_->roll.update(-angles.x(), -rates.x());
-  out.tau_theta = loops_->pitch.update(-angles.y(), -rates.y());
-  out.tau_psi = loops_->yaw.update(wrapAngle(plan_->references.yaw - angles.z()), -rates.z());
   out.t_eff = effectiveThrust(odometry, out);
   out.thrust = out.t_eff + feed_forward_;
+  TiltReference tilt;
+  if (config_.position_loop && !out.exploring) tilt = positionLoop(plan_->references, odometry, plan_->gravity);
+  out.tau_phi = loops_->roll.update(tilt.roll - angles.x(), -rates.x());
+  out.tau_theta = loops_->pitch.update(tilt.pitch - angles.y(), -rates.y());
+  out.tau_psi = loops_->yaw.update(wrapAngle(plan_->references.yaw - angles.z()), -rates.z());
   Allocation allocation = mixer_.allocate({out.thrust, out.tau_phi, out.tau_theta, out.tau_psi});
   out.rotor_speed = std::move(allocation.rotor_speed);
   out.clamped = allocation.clamped;

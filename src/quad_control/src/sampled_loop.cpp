@@ -72,7 +72,8 @@ class OpenLoop {
     // P(z) from u to x, then C(z) from x to −u: L_i = [C P (I + C' P)⁻¹]_ii with C' lacking row i.
     const Eigen::MatrixXcd P = (z * MatrixXd::Identity(n, n) - sampled_.A.cast<std::complex<double>>())
                                    .partialPivLu()
-                                   .solve(sampled_.B_old.cast<std::complex<double>>() / z + sampled_.B_new);
+                                   .solve(sampled_.B_old.cast<std::complex<double>>() / z + sampled_.B_new) *
+                               std::pow(z, -sampled_.whole_periods);
     Eigen::MatrixXcd C(loops, n);
     for (Eigen::Index i = 0; i < loops; ++i) {
       const auto index = static_cast<std::size_t>(i);
@@ -92,7 +93,18 @@ class OpenLoop {
   int loop_;
 };
 
-// Largest (or smallest) factor on the loop's gains, between 1 and `limit`, that keeps it stable.
+// The edge between `inside` (stable) and `outside` (not), by bisection to 2^-40 of their distance.
+template <class Stable>
+double edge(double inside, double outside, const Stable& stable) {
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (inside + outside);
+    (stable(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+// Largest (or smallest) factor on the loop's gains, between 1 and `limit`, that keeps it stable. Walks out 2 % at a time
+// to the first loss of stability, so that an unstable gap is not stepped over.
 double gainMargin(const LinearPlant& plant, const SampledPlant& sampled, std::vector<PiGains> gains, int loop,
                   double limit) {
   const auto index = static_cast<std::size_t>(loop);
@@ -101,31 +113,37 @@ double gainMargin(const LinearPlant& plant, const SampledPlant& sampled, std::ve
     gains[index] = scaled(nominal, factor);
     return spectralRadius(closedLoop(plant, sampled, gains)) < 1.0;
   };
-  // Walk out until the first loss of stability, then bisect: an unstable gap is not stepped over at 2 % a step.
   const double ratio = limit > 1.0 ? 1.02 : 1.0 / 1.02;
-  double inside = 1.0;
-  const auto beyond = [limit](double factor) { return limit > 1.0 ? factor >= limit : factor <= limit; };
-  while (!beyond(inside) && stable(inside * ratio)) inside *= ratio;
-  if (beyond(inside)) return limit;
-  double outside = inside * ratio;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (inside + outside);
-    (stable(middle) ? inside : outside) = middle;
+  for (double factor = 1.0;; factor *= ratio) {
+    if (limit > 1.0 ? factor >= limit : factor <= limit) return limit;
+    if (!stable(factor * ratio)) return edge(factor, factor * ratio, stable);
   }
-  return inside;
+}
+
+double delayMargin(const LinearPlant& plant, const SampledPlant& sampled, const std::vector<PiGains>& gains) {
+  const auto stable = [&](double delay) {
+    return spectralRadius(closedLoop(plant, discretise(plant, sampled.period, sampled.latency + delay), gains)) < 1.0;
+  };
+  const double limit = 4.0 * sampled.period, stride = 0.05 * sampled.period;
+  for (double delay = 0.0; delay < limit; delay += stride) {
+    if (!stable(delay + stride)) return edge(delay, delay + stride, stable);
+  }
+  return limit;
 }
 
 }  // namespace
 
 SampledPlant discretise(const LinearPlant& plant, double period, double latency) {
   check(plant);
-  if (!(period > 0.0 && latency >= 0.0 && latency < period)) {
+  if (!(period > 0.0 && latency >= 0.0 && std::isfinite(period) && std::isfinite(latency))) {
     throw std::invalid_argument(
-        fmt::format("sampled loop: latency = {} s; must lie in [0, {} s), the sampling period", latency, period));
+        fmt::format("sampled loop: period = {} s, latency = {} s; must be > 0 s and >= 0 s", period, latency));
   }
-  const auto [A_old, B_old] = hold(plant, latency);
-  const auto [A_new, B_new] = hold(plant, period - latency);
-  return {A_new * A_old, A_new * B_old, B_new, period};
+  const double whole = std::floor(latency / period);
+  const double rest = std::clamp(latency - whole * period, 0.0, period);
+  const auto [A_old, B_old] = hold(plant, rest);
+  const auto [A_new, B_new] = hold(plant, period - rest);
+  return {A_new * A_old, A_new * B_old, B_new, period, latency, static_cast<int>(whole)};
 }
 
 Eigen::MatrixXd closedLoop(const LinearPlant& plant, const SampledPlant& sampled, const std::vector<PiGains>& gains) {
@@ -134,7 +152,7 @@ Eigen::MatrixXd closedLoop(const LinearPlant& plant, const SampledPlant& sampled
   if (loops != plant.B.cols()) throw std::invalid_argument("sampled loop: one set of gains a loop is needed");
   const Eigen::Index n = plant.A.rows();
   const Eigen::Index sums = std::count_if(gains.begin(), gains.end(), integrates);
-  const Eigen::Index size = n + sums + loops;
+  const Eigen::Index size = n + sums + loops * (sampled.whole_periods + 1);
   MatrixXd command = MatrixXd::Zero(loops, size);  // u[k] as a function of the state
   MatrixXd closed = MatrixXd::Zero(size, size);
   Eigen::Index sum = n;
@@ -150,8 +168,13 @@ Eigen::MatrixXd closedLoop(const LinearPlant& plant, const SampledPlant& sampled
   }
   closed.topLeftCorner(n, n) = sampled.A;
   closed.topRightCorner(n, loops) = sampled.B_old;
-  closed.topRows(n) += sampled.B_new * command;
-  closed.bottomRows(loops) = command;
+  if (sampled.whole_periods == 0) {
+    closed.topRows(n) += sampled.B_new * command;
+  } else {
+    closed.block(0, size - 2 * loops, n, loops) += sampled.B_new;
+  }
+  closed.middleRows(n + sums, loops) = command;  // the newest of the inputs kept; the others move one place on
+  for (Eigen::Index row = n + sums + loops; row < size; ++row) closed(row, row - loops) = 1.0;
   return closed;
 }
 
@@ -166,7 +189,7 @@ LoopMargins margins(const LinearPlant& plant, const SampledPlant& sampled, const
   result.gain_up = gainMargin(plant, sampled, gains, loop, 50.0);
   result.gain_down = gainMargin(plant, sampled, gains, loop, 0.02);
   result.phase_degrees = 180.0;
-  result.delay_s = std::numeric_limits<double>::infinity();
+  result.delay_s = delayMargin(plant, sampled, gains);
   const OpenLoop open(plant, sampled, gains, loop);
   // 4000 points a four decades: neighbours differ by 0.2 %, and the curves bend over tens of per cent.
   constexpr int kPoints = 4000;
@@ -177,11 +200,7 @@ LoopMargins margins(const LinearPlant& plant, const SampledPlant& sampled, const
     const std::complex<double> value = open(frequency);
     result.sensitivity_peak = std::max(result.sensitivity_peak, 1.0 / std::abs(1.0 + value));
     if ((std::abs(before) - 1.0) * (std::abs(value) - 1.0) <= 0.0) {
-      const double phase = std::abs(std::arg(-value));             // to −1, either way
-      double lag = std::arg(-value);                               // a delay turns L clockwise only
-      if (lag < 0.0) lag += 2.0 * kPi;
-      result.phase_degrees = std::min(result.phase_degrees, phase * 180.0 / kPi);
-      result.delay_s = std::min(result.delay_s, lag / frequency);
+      result.phase_degrees = std::min(result.phase_degrees, std::abs(std::arg(-value)) * 180.0 / kPi);  // to −1
     }
     before = value;
   }

@@ -19,17 +19,17 @@ constexpr int kSteps = 100;  // physics steps of an interval: 0.1 s
 constexpr double kEstimate = 0.6247;
 
 struct Sample {
-  double time, z, climb, tilt, yaw;
+  double time, z, climb, tilt, yaw, x, y;
   int clamped;
 };
 
 class Flight {
  public:
-  explicit Flight(int latency_steps)
+  explicit Flight(int latency_steps, bool position_loop = false)
       : config_(quad_sim::readSimulationConfig("../../config/thesis.yaml")),
         model_(quad_sim::loadVehicle(config_)),
         simulator_(quad_sim::makeSimulator(config_, model_)),
-        controller_(model_, controlConfig()),
+        controller_(model_, controlConfig(position_loop)),
         latency_(latency_steps) {
     plan_.references.z = config_.initial_altitude;
     plan_.feed_forward_mass = kEstimate;
@@ -55,7 +55,8 @@ class Flight {
       const Eigen::Vector3d v = now.odometry.q_WB * now.odometry.v_WB_B;
       const Eigen::Vector3d up = now.odometry.q_WB * Eigen::Vector3d::UnitZ();
       samples.push_back({1e-9 * static_cast<double>(now.odometry.time_ns), now.odometry.p_WB.z(), v.z(),
-                         std::acos(std::min(1.0, up.z())), angles.z(), out.clamped});
+                         std::acos(std::min(1.0, up.z())), angles.z(), now.odometry.p_WB.x(),
+                         now.odometry.p_WB.y(), out.clamped});
       simulator_.advance(latency_);
       simulator_.setCommand(out.rotor_speed);
       simulator_.advance(kSteps - latency_);
@@ -64,8 +65,11 @@ class Flight {
   }
 
  private:
-  static ControlConfig controlConfig() {
-    return readControlConfig(quad_support::ConfigReader::fromFile("../../config/thesis.yaml").section("control"), 0.1);
+  static ControlConfig controlConfig(bool position_loop) {
+    const auto file = quad_support::ConfigReader::fromFile("../../config/thesis.yaml");
+    ControlConfig config = readControlConfig(file.section("control"), 0.1);
+    config.position_loop = position_loop;
+    return config;
   }
 
   quad_sim::SimulationConfig config_;
@@ -161,6 +165,23 @@ TEST_P(ClosedLoop, TurnsToAHeading) {
             << " %, within 5 % after " << settled << " s\n";
   EXPECT_LT(settled, 6.0);
   EXPECT_NEAR(samples.back().yaw, 1.0, 0.01);
+}
+
+TEST_P(ClosedLoop, PositionLoopReturnsToItsPlace) {
+  Flight flight(GetParam(), /*position_loop=*/true);
+  flight.plan().references.x = 1.0;
+  flight.plan().references.y = -0.5;
+  flight.plan().references.yaw = 0.5;
+  const std::vector<Sample> samples = flight.fly(flight.start(), 400);
+  double furthest = 0.0;
+  for (const Sample& s : samples) furthest = std::max(furthest, s.x);
+  const double settled = lastTimeOutside(samples, &Sample::x, 1.0, 0.05);
+  std::cout << "1 m sideways, latency " << GetParam() << " ms: overshoot " << 100 * (furthest - 1.0)
+            << " %, within 5 % after " << settled << " s\n";
+  EXPECT_LT(furthest, 1.25);
+  EXPECT_LT(settled, 25.0);
+  EXPECT_NEAR(samples.back().y, -0.5, 0.05);
+  EXPECT_NEAR(samples.back().z, flight.plan().references.z, 0.05);
 }
 
 TEST_P(ClosedLoop, FallsAsThePointMassDoesWithoutSignal) {

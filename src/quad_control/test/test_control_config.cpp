@@ -48,6 +48,7 @@ TEST(ControlConfig, ReadsEveryKey) {
   EXPECT_EQ(control.yaw.velocity, 7.0);
   EXPECT_EQ(control.altitude.position, 9.0);
   EXPECT_EQ(control.altitude.velocity_integral, 12.0);
+  EXPECT_FALSE(control.position_loop);
   EXPECT_EQ(control.hold_time, 6.0);
   const TimingConfig timing = readTimingConfig(reader().section("timing"), 0.001);
   EXPECT_EQ(timing.steps, 100);
@@ -66,7 +67,7 @@ TEST(ControlConfig, ComplaintsSayFileLineKeyAndLimit) {
   says(complaint("hold_time: 6.0", "hold_time: -1"), "c.yaml:6: control.hold_time = -1");
   says(complaint("hold_time: 6.0", "hold_tim: 6.0"), "hold_time");
   says(complaint("  hold_time: 6.0", "  hold_time: 6.0\n  gain: 1"), "control.gain");
-  says(complaint("position_loop: false", "position_loop: true"), "c.yaml:5: control.position_loop = true");
+  says(complaint("position_loop: false", "position_loop: maybe"), "c.yaml:5: control.position_loop = maybe");
   says(complaint("sampling_period: 0.1", "sampling_period: 0.1005"), "whole number of simulation.step = 0.001 s (0.1 s or");
   says(complaint("latency: 0.045", "latency: 0.1"), "must be below sampling_period");
   says(complaint("mode: wallclock", "mode: realtime"), "lockstep");

@@ -165,6 +165,26 @@ TEST(FlightController, HeadingErrorTakesTheShortWay) {
   EXPECT_NEAR(controller.update(o).tau_psi, config().yaw.position * (6.0 - 2 * M_PI), 1e-15);
 }
 
+TEST(PositionLoop, TiltsTowardsTheReferenceInAnyHeading) {
+  for (const double yaw : {0.0, 0.7, -2.5}) {
+    quad_sim::Odometry o = odometry(0);
+    o.q_WB = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ());
+    References r;
+    r.x = 1.0;
+    r.y = -0.5;
+    const TiltReference tilt = positionLoop(r, o, kGravity);
+    // Small angles: the thrust's direction Rz Ry Rx e_z has the horizontal part Rz (pitch, -roll), Eq. (1.5).
+    const Eigen::Vector2d push = Eigen::Rotation2Dd(yaw) * Eigen::Vector2d(tilt.pitch, -tilt.roll) * kGravity;
+    EXPECT_NEAR(push.x(), 0.09 * 1.0, 1e-15);
+    EXPECT_NEAR(push.y(), 0.09 * -0.5, 1e-15);
+    o.v_WB_B = o.q_WB.conjugate() * Eigen::Vector3d(0.15, -0.075, 0.0);  // a = 0.09 e - 0.6 v = 0
+    EXPECT_NEAR(positionLoop(r, o, kGravity).pitch, 0.0, 1e-16);
+    EXPECT_NEAR(positionLoop(r, o, kGravity).roll, 0.0, 1e-16);
+    r.x = 1e6;
+    EXPECT_LE(std::abs(positionLoop(r, o, kGravity).pitch), 0.15);
+  }
+}
+
 TEST(FlightController, OutputsSaturateWithinTheRotors) {
   FlightController controller = begun();
   const double feed_forward = kEstimate * kGravity;

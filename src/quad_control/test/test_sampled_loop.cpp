@@ -56,7 +56,8 @@ TEST(Discretise, DoubleIntegratorIsEq22) {
   const SampledPlant late = discretise(plant, kPeriod, 0.045);
   EXPECT_LE((late.B_old - Eigen::Vector2d(0.045 * 0.045 / 2 + 0.045 * 0.055, 0.045) / 0.73).norm(), 1e-15);
   EXPECT_LE((late.B_old + late.B_new - sampled.B_new).norm(), 1e-15);
-  EXPECT_THROW(discretise(plant, kPeriod, kPeriod), std::invalid_argument);
+  EXPECT_THROW(discretise(plant, kPeriod, -0.001), std::invalid_argument);
+  EXPECT_THROW(discretise(plant, 0.0, 0.0), std::invalid_argument);
 }
 
 TEST(ClosedLoop, FollowsThePiController) {
@@ -88,19 +89,40 @@ TEST(SpectralRadius, KnowsAnUnstableLoop) {
   EXPECT_THROW(margins(plant, sampled, {{2.4, 0.6, 20.0, 0.0}}, 0), std::invalid_argument);
 }
 
-TEST(Margins, AgreeWithTheClosedLoop) {
-  const PiGains gains{6.0, 0.6, 7.0, 0.6};  // quick enough for the delay margin to end within the period
+TEST(Margins, AgreeWithTheFrequencyResponse) {
+  // The margins found by eigenvalues against those the phase and the peak of the response promise.
+  const PiGains gains{2.4, 0.7, 2.4, 0.6};
   const LinearPlant plant = doubleIntegratorPlant(0.73, 0.0125);
-  const LoopMargins m = margins(plant, discretise(plant, kPeriod, 0.02), {gains}, 0);
-  // Scaled or delayed to its margin the loop is at the edge: just inside stable, just outside not.
-  for (const double side : {0.99, 1.01}) {
-    const double g = m.gain_up * side;
-    const PiGains more{gains.position * g, gains.position_integral * g, gains.velocity * g, gains.velocity_integral * g};
-    const double radius = spectralRadius(closedLoop(plant, discretise(plant, kPeriod, 0.02), {more}));
-    EXPECT_EQ(radius < 1.0, side < 1.0);
-    const double latency = 0.02 + m.delay_s * side;
-    ASSERT_LT(latency, kPeriod);
-    EXPECT_EQ(spectralRadius(closedLoop(plant, discretise(plant, kPeriod, latency), {gains})) < 1.0, side < 1.0);
+  const LoopMargins m = margins(plant, discretise(plant, kPeriod, 0.045), {gains}, 0);
+  const double peak = m.sensitivity_peak;
+  EXPECT_GE(m.gain_up, peak / (peak - 1));
+  EXPECT_LE(m.gain_down, peak / (peak + 1));
+  EXPECT_GE(m.phase_degrees, 2 * std::asin(0.5 / peak) * 180 / M_PI);
+  // At the delay margin's edge the loop oscillates undamped.
+  const auto radius = [&](double more) {
+    return spectralRadius(closedLoop(plant, discretise(plant, kPeriod, 0.045 + more), {gains}));
+  };
+  EXPECT_NEAR(radius(m.delay_s), 1.0, 1e-6);
+  EXPECT_LT(radius(0.99 * m.delay_s), 1.0);
+  EXPECT_GT(radius(1.01 * m.delay_s), 1.0);
+}
+
+TEST(ClosedLoop, LatencyBeyondAPeriodFollowsTheStepwiseLoop) {
+  const PiGains gains{2.0, 0.0, 1.5, 0.0};
+  const LinearPlant plant = doubleIntegratorPlant(0.73, 0.025);
+  const SampledPlant sampled = discretise(plant, kPeriod, 0.23);
+  ASSERT_EQ(sampled.whole_periods, 2);
+  const Eigen::MatrixXd closed = closedLoop(plant, sampled, {gains});
+  Eigen::Vector3d x(1.0, 0.0, 0.0);
+  Eigen::VectorXd state = Eigen::VectorXd::Zero(6);
+  state.head(3) = x;
+  std::vector<double> u(3, 0.0);  // u[k-3], u[k-2], u[k-1]
+  for (int k = 0; k < 60; ++k) {
+    u.push_back(-gains.position * x(0) - gains.velocity * x(1));
+    const std::size_t now = u.size() - 1;
+    x = sampled.A * x + sampled.B_old * u[now - 3] + sampled.B_new * u[now - 2];
+    state = closed * state;
+    ASSERT_LE((state.head(3) - x).norm(), 1e-12 * (1.0 + x.norm())) << k;  // the same sums in another order
   }
 }
 

@@ -14,7 +14,7 @@ struct ControlConfig {
   PiGains roll_pitch;            ///< [N m/rad, N m/(rad s), N m s/rad, N m/rad]
   PiGains yaw;                   ///< the same units
   PiGains altitude;              ///< [N/m, N/(m s), N s/m, N/m]
-  bool position_loop = false;    ///< outer loop of thesis Fig. 1.2
+  bool position_loop = false;    ///< outer loop of thesis Fig. 1.2, in the hold
   double hold_time = 0.0;        ///< PI hold before exploration [s]; >= 0
 };
 

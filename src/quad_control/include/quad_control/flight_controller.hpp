@@ -17,7 +17,7 @@ namespace quad_control {
 
 /// Pose to hold; world axes, z up.
 struct References {
-  double x = 0.0, y = 0.0;  ///< [m]; used by the position loop only
+  double x = 0.0, y = 0.0;  ///< [m]; used by the position loop only, in the hold
   double z = 0.0;           ///< altitude [m]
   double yaw = 0.0;         ///< heading [rad]
 };
@@ -55,6 +55,19 @@ Eigen::Vector3d rollPitchYaw(const Eigen::Quaterniond& q_WB);
 /// `angle` [rad] moved into (−π, π] by whole turns.
 double wrapAngle(double angle);
 
+/// Roll and pitch [rad] that the attitude loops shall hold.
+struct TiltReference {
+  double roll = 0.0, pitch = 0.0;
+};
+
+/// The outer loop of thesis Fig. 1.2: the tilt that brings the vehicle to x, y.
+///
+/// Wanted acceleration a = ω²(r − p) − 2ω ṗ in world axes (critically damped, ω = 0.3 rad/s, a quarter of the attitude
+/// loops' slowest pole), turned into tilt by ẍ = gθ, ÿ = −gφ of Eq. (1.5) in the present heading, each within ±0.15 rad
+/// (Assumption 1). For slow vertical motion only: in a fall beyond 45 m/s the rotors' drag on a tilted vehicle exceeds the
+/// thrust's sideways part, and the acceleration has the other sign.
+TiltReference positionLoop(const References& references, const quad_sim::Odometry& odometry, double gravity);
+
 /// The rotors of a vehicle as the allocation sees them: positions from the centre of mass.
 std::vector<RotorGeometry> rotorGeometry(const quad_sim::VehicleModel& vehicle);
 
@@ -65,8 +78,9 @@ double equilibriumEffort(double flown_mass, double feed_forward_mass, double gra
 /// Closes the loops of thesis Fig. 2.4, once an odometry.
 ///
 /// Roll, pitch and yaw are PI-controlled with body rates as velocities (equal to the angles' derivatives under the
-/// thesis's Assumption 1, and defined at any attitude); the altitude with ż = (R v_WB_B)_z. U1 = T_eff + m̂0 g. Each output saturates
-/// where, from the feed-forward thrust and alone, it would drive a rotor out of its range.
+/// thesis's Assumption 1, and defined at any attitude); the altitude with ż = (R v_WB_B)_z. U1 = T_eff + m̂0 g. Each
+/// output saturates where, from the feed-forward thrust and alone, it would drive a rotor out of its range. The vehicle is
+/// held level, or tilted as positionLoop() says where the configuration has it on and no signal is flown.
 class FlightController {
  public:
   /// @throws quad_support::ConfigError if the rotors cannot give all of U (see Mixer)

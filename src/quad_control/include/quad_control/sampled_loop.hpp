@@ -16,31 +16,33 @@ struct LinearPlant {
 };
 
 /// The plant from one sample to the next when u[k] takes effect `latency` after sample k:
-/// x[k+1] = A x[k] + B_old u[k−1] + B_new u[k]. Exact (matrix exponentials).
+/// x[k+1] = A x[k] + B_old u[k−d−1] + B_new u[k−d] with d whole periods in the latency. Exact (matrix exponentials).
 struct SampledPlant {
   Eigen::MatrixXd A, B_old, B_new;
-  double period = 0.0;  ///< [s]
+  double period = 0.0, latency = 0.0;  ///< [s]
+  int whole_periods = 0;               ///< d
 };
 
-/// @param period  sampling period [s], > 0  @param latency  [s], in [0, period)
+/// @param period  sampling period [s], > 0  @param latency  [s], >= 0
 /// @throws std::invalid_argument for figures outside these ranges or shapes that do not fit
 SampledPlant discretise(const LinearPlant& plant, double period, double latency);
 
 /// The law of thesis section 2.2 around each of the plant's loops, gains[i] from (position, velocity) i to input i.
 ///
-/// State (x, w, u_last) with w_i = Σ (K_I^p e^p + K_I^v e^v) dT: the two integrals act as this one sum (each alone has
+/// State (x, w, u[k−1], …, u[k−d−1]) with w_i = Σ (K_I^p e^p + K_I^v e^v) dT: the two integrals act as this one sum (each alone has
 /// a combination that nothing sees, an eigenvalue 1 without meaning). Loops without integral gains have no w.
 Eigen::MatrixXd closedLoop(const LinearPlant& plant, const SampledPlant& sampled, const std::vector<PiGains>& gains);
 
 /// Largest |eigenvalue|: below 1 means stable, its logarithm over the period is the slowest rate of decay.
 double spectralRadius(const Eigen::MatrixXd& matrix);
 
-/// Robustness of one loop, broken at its input with the others closed.
+/// Robustness of one loop, broken at its input with the others closed. Gain and delay by eigenvalues, so for the sampled
+/// loop as it is; phase and sensitivity by the frequency response.
 struct LoopMargins {
   double gain_up = 0.0;           ///< the loop may become so many times stronger (up to 50 is looked at)
   double gain_down = 0.0;         ///< … or be scaled down to this (down to 0.02 is looked at)
   double phase_degrees = 0.0;     ///< smallest phase margin over all crossovers
-  double delay_s = 0.0;           ///< smallest delay margin [s] beyond the latency already there
+  double delay_s = 0.0;           ///< so much more latency, all loops alike, is bearable [s] (up to 4 periods are looked at)
   double sensitivity_peak = 0.0;  ///< max |1 / (1 + L)| over all frequencies
 };
 

@@ -30,7 +30,12 @@ bool tryOnce(ros::NodeHandle& handle, ros::ServiceClient& client, const std::str
 }  // namespace
 
 void SimulatorClient::waitUntilThere(double timeout) {
-  if (!ros::service::waitForService(kStep, ros::Duration(timeout))) failUnreachable(kStep);
+  // Not ros::service::waitForService: it counts simulated time, which stands still while the simulator is missing.
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(timeout);
+  while (!ros::service::exists(kStep, /*print_failure_reason=*/false)) {
+    if (ros::WallTime::now() >= end || !ros::ok()) failUnreachable(kStep);
+    ros::WallDuration(0.02).sleep();
+  }
 }
 
 void SimulatorClient::callEmpty(ros::ServiceClient& client, const std::string& name) {
