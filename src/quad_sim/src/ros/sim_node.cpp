@@ -43,7 +43,6 @@ SimNode::SimNode(const SimulationConfig& config, const SimNodeOptions& options)
       model_(loadVehicle(config)),
       simulator_(makeSimulator(config, model_)),
       ns_("/" + config.vehicle_namespace + "/"),
-      topic_spinner_(1, &topic_queue_),
       service_spinner_(1, &service_queue_) {
   const auto is_odometry = [](const SensorModel& s) { return s.kind == SensorModel::Kind::kOdometry; };
   const auto first = std::find_if(model_.sensors.begin(), model_.sensors.end(), is_odometry);
@@ -52,17 +51,17 @@ SimNode::SimNode(const SimulationConfig& config, const SimNodeOptions& options)
                                 "(librotors_gazebo_odometry_plugin.so)");
   }
   primary_ = &*first;
-  topic_handle_.setCallbackQueue(&topic_queue_);
+  topic_handle_.setCallbackQueue(&command_queue_);
   service_handle_.setCallbackQueue(&service_queue_);
   running_ = !options.paused;
   advertise();
   publish();
-  topic_spinner_.start();
   service_spinner_.start();
   runner_ = std::thread([this] { runLoop(); });
 }
 
 SimNode::~SimNode() {
+  command_sub_.shutdown();  // no callback from here on
   inbox_.stop();
   {
     const Visit visit(mutex_, waiting_);
@@ -71,7 +70,6 @@ SimNode::~SimNode() {
   state_changed_.notify_all();
   runner_.join();
   service_spinner_.stop();
-  topic_spinner_.stop();
 }
 
 void SimNode::advertise() {
@@ -120,6 +118,7 @@ void SimNode::onCommand(const mav_msgs::Actuators& message) {
                        command.problem.c_str());
   }
   inbox_.put(toNanoseconds(message.header.stamp), command);
+  if (!running_) return;  // onUnpause() takes the latest from the inbox
   const Visit visit(mutex_, waiting_);
   if (running_ && command.problem.empty()) simulator_.setCommand(command.rotor_speed);
 }
@@ -136,27 +135,34 @@ void SimNode::publish() {
   clock_pub_.publish(clock);
   motor_speed_pub_.publish(last_motor_speed_);
   odometry_pub_.publish(last_odometry_);  // after the motor speeds: controllers start on the odometry
+  publishOthers(measured);
+}
 
+/// What only matters to those who listen.
+void SimNode::publishOthers(const Measurement& measured) {
   if (relay_pub_.getNumSubscribers() > 0) {
     mav_msgs::Actuators relay;
-    relay.header.stamp = clock.clock;
+    relay.header.stamp = last_odometry_.header.stamp;
     relay.angular_velocities = simulator_.command();
     relay_pub_.publish(relay);
   }
-  tf2_msgs::TFMessage transforms;
-  transforms.transforms.push_back(toTransform(last_odometry_));
   for (auto& [sensor, publisher] : other_odometry_) {
-    const nav_msgs::Odometry odometry = toMsg(simulator_.odometry(*sensor), sensor->frame);
-    if (publisher.getNumSubscribers() > 0) publisher.publish(odometry);
-    transforms.transforms.push_back(toTransform(odometry));
+    if (publisher.getNumSubscribers() > 0) publisher.publish(toMsg(simulator_.odometry(*sensor), sensor->frame));
   }
-  if (tf_pub_.getNumSubscribers() > 0) tf_pub_.publish(transforms);
   for (std::size_t i = 0; i < rotor_pubs_.size(); ++i) {
     if (rotor_pubs_[i].getNumSubscribers() == 0) continue;
+    const RotorModel& rotor = model_.rotors[i];
     std_msgs::Float32 joint_speed;  // RotorS publishes the slowed joint's speed here
-    joint_speed.data = static_cast<float>(last_motor_speed_.angular_velocities[i] / model_.rotors[i].slowdown);
+    joint_speed.data = static_cast<float>(rotor.spin * measured.rotor_speed[i] / rotor.slowdown);
     rotor_pubs_[i].publish(joint_speed);
   }
+  if (tf_pub_.getNumSubscribers() == 0) return;
+  tf2_msgs::TFMessage transforms;
+  transforms.transforms.push_back(toTransform(last_odometry_));
+  for (auto& entry : other_odometry_) {
+    transforms.transforms.push_back(toTransform(toMsg(simulator_.odometry(*entry.first), entry.first->frame)));
+  }
+  tf_pub_.publish(transforms);
 }
 
 // ---- lock-step ----

@@ -24,6 +24,14 @@
 
 namespace quad_sim {
 
+/// Runs a callback where it arrives, in roscpp's network thread, instead of waking another thread for it. Only for
+/// callbacks that are short and wait for nothing.
+class ImmediateQueue : public ros::CallbackQueueInterface {
+ public:
+  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t) override { callback->call(); }
+  void removeByID(std::uint64_t) override {}
+};
+
 struct SimNodeOptions {
   int odometry_every = 0;       ///< physics steps between publications while unpaused; 0: only when stopped
   double real_time_factor = 1;  ///< simulated over wall time while unpaused; 0: as fast as it goes
@@ -32,7 +40,7 @@ struct SimNodeOptions {
 
 /// Topics, services and the thread that runs the physics while unpaused.
 ///
-/// Commands come in on a thread of their own, so that a Step may wait for one. While paused a command waits for the
+/// Commands come in on roscpp's network thread, so that a Step may wait for one on the services' thread. While paused a command waits for the
 /// Step that asks for it; while running it acts from the next physics step on.
 class SimNode {
  public:
@@ -57,6 +65,7 @@ class SimNode {
   std::string runStep(const Step::Request& request);  ///< what went wrong; empty if nothing did
   std::string groundMessage() const;
   bool isModel(const std::string& name) const;
+  void publishOthers(const Measurement& measured);
   void publish();  ///< the present state on every topic; fills last_odometry_, last_motor_speed_
   void reset(bool time_too);
   void runLoop();
@@ -73,20 +82,22 @@ class SimNode {
   std::mutex mutex_;               ///< guards the simulator and what is published
   std::atomic<int> waiting_{0};    ///< callers that want the mutex: the running loop lets them in
   std::condition_variable state_changed_;
-  bool running_ = false, stop_ = false;
+  std::atomic<bool> running_{false};  ///< changed under the mutex only
+  bool stop_ = false;
   CommandInbox inbox_;
   nav_msgs::Odometry last_odometry_;
   mav_msgs::Actuators last_motor_speed_;
   unsigned sequence_ = 0;  ///< of get_model_state's answers
 
-  ros::CallbackQueue topic_queue_, service_queue_;
+  ImmediateQueue command_queue_;
+  ros::CallbackQueue service_queue_;
   ros::NodeHandle topic_handle_, service_handle_;
   ros::Publisher odometry_pub_, motor_speed_pub_, relay_pub_, clock_pub_, tf_pub_;
   std::vector<std::pair<const SensorModel*, ros::Publisher>> other_odometry_;
   std::vector<ros::Publisher> rotor_pubs_;
   ros::Subscriber command_sub_;
   std::vector<ros::ServiceServer> services_;
-  ros::AsyncSpinner topic_spinner_, service_spinner_;
+  ros::AsyncSpinner service_spinner_;
   std::thread runner_;
 };
 
