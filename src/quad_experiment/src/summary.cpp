@@ -33,7 +33,9 @@ Json designPart(const ExperimentPlan& plan) {
           {"alpha", alpha},
           {"phase", explore_opt::toString(plan.config.design.phase)},
           {"harmonics", plan.config.design.harmonics},
-          {"T", plan.config.design.num_samples}};
+          {"T", plan.config.design.num_samples},
+          {"gamma_w", plan.config.design.gamma_w},
+          {"desired_closeness", plan.config.design.desired_closeness}};
 }
 
 Json initialPart(const ExperimentPlan& plan) {
