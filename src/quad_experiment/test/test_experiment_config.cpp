@@ -34,6 +34,21 @@ TEST(ExperimentConfig, ShippedFilesAreValid) {
   }
 }
 
+TEST(ExperimentConfig, ShippedFilesFlyTheSameGains) {  // derived once, see docs/design/0002-control-gains.md
+  const quad_control::ControlConfig thesis = readExperimentConfig("config/thesis.yaml").control;
+  for (const char* name : {"exact.yaml", "wallclock.yaml", "smoke.yaml"}) {
+    SCOPED_TRACE(name);
+    const quad_control::ControlConfig other = readExperimentConfig(std::string("config/") + name).control;
+    for (const auto gains : {&quad_control::ControlConfig::roll_pitch, &quad_control::ControlConfig::yaw,
+                             &quad_control::ControlConfig::altitude}) {
+      EXPECT_EQ((thesis.*gains).position, (other.*gains).position);
+      EXPECT_EQ((thesis.*gains).position_integral, (other.*gains).position_integral);
+      EXPECT_EQ((thesis.*gains).velocity, (other.*gains).velocity);
+      EXPECT_EQ((thesis.*gains).velocity_integral, (other.*gains).velocity_integral);
+    }
+  }
+}
+
 TEST(ExperimentConfig, ResolvedYamlReadsBackToTheSameConfiguration) {
   const ExperimentConfig config = readExperimentConfig("config/thesis.yaml");
   const Scratch scratch;
