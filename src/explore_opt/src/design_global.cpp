@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 constexpr double kDualGap = 1e-9;         // of ½γ_e²; what the polished multipliers cannot improve is left to them
 constexpr double kSolverTolerance = 1e-10;
-constexpr int kSolverIterations = 300;
+constexpr int kSolverIterations = 150;
 constexpr double kKktTolerance = 1e-6;
 constexpr int kRoundings = 32;
 

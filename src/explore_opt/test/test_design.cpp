@@ -197,9 +197,9 @@ TEST(Design, TwoInputs) {
   }
 }
 
-TEST(Design, CostDoesNotDependOnTheSign) {
+TEST(Design, SameInputSameBits) {
   const DesignResult a = designExploration(thesisProblem(Phase::kCos)), b = designExploration(thesisProblem(Phase::kCos));
-  EXPECT_EQ(a.amplitudes, b.amplitudes);  // same input, same bits
+  EXPECT_EQ(a.amplitudes, b.amplitudes);
   EXPECT_EQ(a.certificate, b.certificate);
 }
 
@@ -282,8 +282,7 @@ TEST(Majorisation, InnerGapIsWhatWasAskedFor) {
     options.cost_tolerance = 1e-6;
     const DesignResult result = designExploration(thesisProblem(Phase::kCos), options);
     const double relative = result.inner_gap / (0.5 * result.gamma_e * result.gamma_e);
-    EXPECT_LE(relative, 1.6 * std::max(gap, 1e-4));
-    EXPECT_GE(relative, 0.5 * gap);
+    EXPECT_NEAR(relative, gap, 0.1 * gap);  // n μ exactly at the centre; the solver stops a little off it
   }
 }
 

@@ -31,7 +31,7 @@ std::string toString(DesignStatus status);  ///< "solved", "reduced_accuracy", .
 
 struct DesignOptions {
   DesignMethod method = DesignMethod::kGlobal;
-  double gap_tolerance = 1e-7;        ///< global: no further starts once the certified relative gap is below
+  double gap_tolerance = 1e-5;        ///< global: no further starts once the certified relative gap is below
   int random_starts = 8;              ///< global: starts beside the dual's, used only while the gap is larger
   std::uint64_t seed = 1;             ///< of those starts, and of mm's start if none is given
   Eigen::VectorXd initial_amplitudes; ///< mm: candidate ã, any size (p entries, component i n_u + j); empty: a default
