@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "quad_sim/plugin.hpp"
 #include "quad_sim/replay.hpp"
 #include "quad_support/atomic_file.hpp"
 #include "quad_support/errors.hpp"
@@ -86,6 +87,9 @@ int simulate(const SimulateArguments& a) {
 
   const quad_sim::VehicleModel model = quad_sim::loadVehicle(a.urdf);
   const std::size_t rotors = model.rotors.size();
+  for (const std::string& plugin : quad_sim::ignoredPlugins(model)) {
+    std::fprintf(stderr, "quad_sim: note: without effect here: %s\n", plugin.c_str());
+  }
   const auto commands = quad_sim::readCommands(quad_support::CsvTable::read(a.commands), rotors);
   quad_sim::Simulator simulator(model, options);
   const std::int64_t steps = countSteps(a, simulator.stepNanoseconds());

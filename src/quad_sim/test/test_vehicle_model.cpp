@@ -117,9 +117,28 @@ TEST(VehicleModel, MessagesNameFileLineAndTag) {
 }
 
 TEST(VehicleModel, AnUnknownPluginListsTheKnownOnes) {
-  const std::string text = parseComplaint(replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "libmagic.so"));
-  EXPECT_THAT(text, HasSubstr("no plugin is called libmagic.so; known are "));
+  const std::string text = parseComplaint(replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "libnosuchplugin.so"));
+  EXPECT_THAT(text, HasSubstr("no plugin is called libnosuchplugin.so; built in are "));
+  EXPECT_THAT(text, HasSubstr("as a library: libnosuchplugin.so"));  // the loader's own words
   for (const std::string& name : knownPlugins()) EXPECT_THAT(text, HasSubstr(name));
+}
+
+TEST(VehicleModel, WhatIsLeftOutIsListed) {
+  EXPECT_THAT(ignoredPlugins(hummingbird()), testing::ElementsAre("librotors_gazebo_imu_plugin.so (imu, imugt)"));
+}
+
+TEST(VehicleModel, ALibraryOfItsOwnActsOnTheVehicle) {
+  const std::string element = std::string("<gazebo><plugin name=\"push\" filename=\"") + QUAD_SIM_TEST_PLUGIN +
+                              "\"><force>0.5</force></plugin></gazebo></robot>";
+  const VehicleModel pushed = parseVehicle(replaced(hummingbirdText(), "</robot>", element), "m.urdf");
+  SimulatorOptions options;
+  options.ground = false;
+  Simulator s(pushed, options);
+  s.setStartState(equilibrium(pushed, options.gravity, 10));
+  s.advance(1);
+  EXPECT_NEAR(s.state().v_WB.y(), 0.5 / pushed.mass * 0.001, 1e-15);  // F h / m
+  EXPECT_THAT(parseComplaint(replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "libm.so.6")),
+              HasSubstr("exports no quad_sim_make_plugin"));
 }
 
 TEST(VehicleModel, BrokenModelsAreRefusedOrFly) {

@@ -39,6 +39,11 @@ class Plugin {
   virtual Eigen::Vector3d momentum() const { return Eigen::Vector3d::Zero(); }
 };
 
+/// A library outside this package becomes a force plugin by exporting, under the name `quad_sim_make_plugin` and with
+/// extern "C", a function of this type. A vehicle asks for it by the library's name or path in <plugin filename="…">.
+/// The object is deleted by the simulator; the library stays loaded.
+using MakePlugin = Plugin* (*)(const VehicleModel& model, double step);
+
 /// What a plugin library is to the simulator.
 enum class PluginRole {
   kForce,    ///< made by makePlugin()
@@ -47,11 +52,15 @@ enum class PluginRole {
   kIgnored,  ///< known and without effect in this version; VehicleModel users may tell
 };
 
-/// Filenames the registry knows, sorted.
+/// Filenames of the plugins built in, sorted.
 std::vector<std::string> knownPlugins();
 
-/// @throws quad_support::ConfigError naming the element and the known filenames
+/// Looks among the plugins built in, then for a library of that name (see MakePlugin).
+/// @throws quad_support::ConfigError naming the element, the filenames built in, and why no library was found
 PluginRole pluginRole(const PluginDeclaration& declaration);
+
+/// What a vehicle declares and this version leaves out: "librotors_gazebo_imu_plugin.so (imu, imugt)". Tell the user.
+std::vector<std::string> ignoredPlugins(const VehicleModel& model);
 
 /// Makes the force plugins a vehicle declares, one per filename, in the order they first appear.
 /// @param step  physics step [s]

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "conversions.hpp"
+#include "quad_sim/plugin.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/number_format.hpp"
 
@@ -54,6 +55,9 @@ SimNode::SimNode(const SimulationConfig& config, const SimNodeOptions& options)
   topic_handle_.setCallbackQueue(&command_queue_);
   service_handle_.setCallbackQueue(&service_queue_);
   running_ = !options.paused;
+  for (const std::string& plugin : ignoredPlugins(model_)) {
+    ROS_INFO("without effect in this version: %s", plugin.c_str());
+  }
   advertise();
   publish();
   service_spinner_.start();
