@@ -19,7 +19,7 @@
 #include <memory>
 #include <thread>
 
-#include "conversions.hpp"
+#include "quad_sim_ros/conversions.hpp"
 #include "quad_sim/simulation_config.hpp"
 
 namespace {

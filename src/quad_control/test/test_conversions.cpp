@@ -7,31 +7,6 @@
 namespace quad_control {
 namespace {
 
-TEST(Stamps, RoundTripAndZero) {
-  for (const std::int64_t ns : {std::int64_t{0}, std::int64_t{100'000'000}, std::int64_t{43'012'345'678}}) {
-    EXPECT_EQ(toNanoseconds(toStamp(ns)), ns);
-  }
-  EXPECT_EQ(toStamp(0), ros::Time(0, 1));  // ROS reads a zero stamp as "not set"
-  EXPECT_EQ(toNanoseconds(ros::Time()), 0);
-}
-
-TEST(Messages, OdometryKeepsItsBodyTwist) {
-  nav_msgs::Odometry msg;
-  msg.header.stamp = ros::Time(3, 500);
-  msg.pose.pose.position.y = 2.0;
-  msg.pose.pose.orientation.w = 0.6;
-  msg.pose.pose.orientation.z = 0.8;
-  msg.twist.twist.linear.x = 4.0;
-  msg.twist.twist.angular.z = 5.0;
-  const quad_sim::Odometry o = fromMsg(msg);
-  EXPECT_EQ(o.time_ns, 3'000'000'500);
-  EXPECT_EQ(o.p_WB.y(), 2.0);
-  EXPECT_EQ(o.q_WB.w(), 0.6);
-  EXPECT_EQ(o.q_WB.z(), 0.8);
-  EXPECT_EQ(o.v_WB_B.x(), 4.0);
-  EXPECT_EQ(o.w_WB_B.z(), 5.0);
-}
-
 TEST(Messages, PlanWithoutSignalHoldsForEver) {
   SetFlightPlan::Request request;
   request.z = 7.0;

@@ -65,7 +65,7 @@ SetFlightPlan::Request plan() {
   request.z = 5000.0;
   request.feed_forward_mass = kEstimate;
   request.initial_altitude_effort = equilibriumEffort(0.73, kEstimate, 9.8);
-  request.exploration_start = toStamp(std::int64_t{kHold} * 100'000'000);
+  request.exploration_start = quad_sim::toStamp(std::int64_t{kHold} * 100'000'000);
   request.exploration_signal = kSignal;
   return request;
 }
@@ -81,7 +81,7 @@ struct Row {
 
 Row row(const nav_msgs::Odometry& odometry, std::vector<double> speed) {
   for (double& w : speed) w = std::abs(w);
-  return {toNanoseconds(odometry.header.stamp), odometry.pose.pose.position.z, odometry.twist.twist.linear.z, speed};
+  return {quad_sim::simulatedTime(odometry.header.stamp), odometry.pose.pose.position.z, odometry.twist.twist.linear.z, speed};
 }
 
 class Nodes : public testing::Test {
@@ -153,7 +153,7 @@ TEST_F(Nodes, RecordHasEveryCommandOnce) {
   ASSERT_TRUE(record.success);
   ASSERT_EQ(record.time.size(), rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    EXPECT_EQ(toNanoseconds(record.time[k]), rows[k].time_ns);
+    EXPECT_EQ(quad_sim::simulatedTime(record.time[k]), rows[k].time_ns);
     const bool in_signal = k >= kHold && k < kHold + kSignal.size();
     if (k >= kHold) {
       EXPECT_EQ(record.t_eff[k], in_signal ? kSignal[k - kHold] : 0.0) << k;

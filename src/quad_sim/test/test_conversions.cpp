@@ -1,7 +1,7 @@
 // Messages and back.
 #include <gtest/gtest.h>
 
-#include "conversions.hpp"
+#include "quad_sim_ros/conversions.hpp"
 #include "hummingbird.hpp"
 #include "quad_support/errors.hpp"
 

@@ -30,7 +30,7 @@ class ControllerNode {
  private:
   void onOdometry(const nav_msgs::Odometry::ConstPtr& msg) {
     if (!controller_.flying()) return;  // neither a plan nor a reference: nothing to fly to
-    const ControlOutput& out = controller_.update(fromMsg(*msg));
+    const ControlOutput& out = controller_.update(quad_sim::fromMsg(*msg));
     motor_speed_pub_.publish(toMsg(out.rotor_speed, msg->header.stamp));
     if (input_pub_.getNumSubscribers() == 0) return;
     input_pub_.publish(toMsg({out.thrust, out.tau_phi, out.tau_theta, out.tau_psi}, msg->header.stamp,

@@ -10,30 +10,6 @@
 
 namespace quad_control {
 
-std::int64_t toNanoseconds(const ros::Time& stamp) {
-  const std::int64_t ns = static_cast<std::int64_t>(stamp.sec) * 1'000'000'000 + stamp.nsec;
-  return ns == 1 ? 0 : ns;
-}
-
-ros::Time toStamp(std::int64_t time_ns) {
-  ros::Time stamp;
-  return stamp.fromNSec(static_cast<std::uint64_t>(time_ns == 0 ? 1 : time_ns));
-}
-
-quad_sim::Odometry fromMsg(const nav_msgs::Odometry& msg) {
-  const auto& p = msg.pose.pose.position;
-  const auto& q = msg.pose.pose.orientation;
-  const auto& v = msg.twist.twist.linear;
-  const auto& w = msg.twist.twist.angular;
-  quad_sim::Odometry odometry;
-  odometry.time_ns = toNanoseconds(msg.header.stamp);
-  odometry.p_WB = {p.x, p.y, p.z};
-  odometry.q_WB = Eigen::Quaterniond(q.w, q.x, q.y, q.z);
-  odometry.v_WB_B = {v.x, v.y, v.z};
-  odometry.w_WB_B = {w.x, w.y, w.z};
-  return odometry;
-}
-
 References fromMsg(const geometry_msgs::Pose& pose) {
   const auto& q = pose.orientation;
   return {pose.position.x, pose.position.y, pose.position.z,
@@ -46,7 +22,7 @@ FlightPlan fromMsg(const SetFlightPlan::Request& request, double gravity) {
   plan.feed_forward_mass = request.feed_forward_mass;
   plan.gravity = gravity;
   plan.initial_altitude_effort = request.initial_altitude_effort;
-  plan.exploration_start_ns = toNanoseconds(request.exploration_start);
+  plan.exploration_start_ns = quad_sim::simulatedTime(request.exploration_start);
   plan.exploration_signal = request.exploration_signal;
   // "empty: the hold goes on for ever", whatever the start stamp says.
   if (plan.exploration_signal.empty()) plan.exploration_start_ns = FlightPlan().exploration_start_ns;
@@ -73,7 +49,7 @@ geometry_msgs::WrenchStamped toMsg(const ControlInput& input, const ros::Time& s
 
 void toMsg(const std::vector<ControlOutput>& record, FlightRecord::Response& response) {
   for (const ControlOutput& out : record) {
-    response.time.push_back(toStamp(out.time_ns));
+    response.time.push_back(quad_sim::toStamp(out.time_ns));
     response.thrust.push_back(out.thrust);
     response.tau_phi.push_back(out.tau_phi);
     response.tau_theta.push_back(out.tau_theta);

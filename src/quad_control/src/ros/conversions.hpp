@@ -15,15 +15,9 @@
 #include "quad_control/SetFlightPlan.h"
 #include "quad_control/control_config.hpp"
 #include "quad_control/flight_controller.hpp"
+#include "quad_sim_ros/conversions.hpp"
 
 namespace quad_control {
-
-/// Simulated nanoseconds of a stamp. ROS reads a zero stamp as "not set", so messages of simulated time 0 carry 1 ns;
-/// here it is 0 again.
-std::int64_t toNanoseconds(const ros::Time& stamp);
-ros::Time toStamp(std::int64_t time_ns);  ///< the inverse: 0 becomes 1 ns
-
-quad_sim::Odometry fromMsg(const nav_msgs::Odometry& msg);
 
 /// Position and heading of a pose; the heading is that of its z-y'-x'' angles.
 References fromMsg(const geometry_msgs::Pose& pose);

@@ -62,7 +62,7 @@ quad_sim::Step::Response SimulatorClient::step(const quad_sim::Step::Request& re
   call.request = request;
   if (tryStep(call)) return std::move(call.response);
   quad_sim::Step::Response now = read(ros::Time(), request.timeout);
-  if (toNanoseconds(now.odometry.header.stamp) != before_ns) return now;  // made; only the answer was lost
+  if (quad_sim::simulatedTime(now.odometry.header.stamp) != before_ns) return now;  // made; only the answer was lost
   if (!tryStep(call)) failUnreachable(kStep);
   return std::move(call.response);
 }

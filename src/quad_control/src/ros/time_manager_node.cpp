@@ -59,11 +59,11 @@ class TimeManagerNode {
     return answered(response, [&] {
       requireFlight();
       positive(request.timeout);
-      const std::int64_t before = toNanoseconds(command_stamp_);
+      const std::int64_t before = quad_sim::simulatedTime(command_stamp_);
       response.service_delay = timing_.mode == TimingMode::kLockstep ? stepOnce(request, before, response)
                                                                      : runForAWhile(request, before, response);
       delays_.add(response.service_delay, 0.0);
-      const std::int64_t after = toNanoseconds(command_stamp_);
+      const std::int64_t after = quad_sim::simulatedTime(command_stamp_);
       intervals_.add(1e-9 * static_cast<double>(after - before), timing_.sampling_period);
     });
   }
@@ -109,7 +109,7 @@ class TimeManagerNode {
     std::this_thread::sleep_for(std::chrono::duration<double>(wait));
     simulator_.pause();
     finish(simulator_.read(ros::Time(), request.timeout), response);
-    const double interval = 1e-9 * static_cast<double>(toNanoseconds(command_stamp_) - before);
+    const double interval = 1e-9 * static_cast<double>(quad_sim::simulatedTime(command_stamp_) - before);
     manager_.measured(wait, interval);
     return interval - wait;
   }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <thread>
 
+#include "quad_sim_ros/conversions.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/interrupt.hpp"
 
@@ -18,21 +19,9 @@ namespace {
 
 using quad_support::EnvironmentError;
 
-/// Simulated time of a stamp. Time zero is stamped 1 ns, for ROS reads a zero stamp as unset.
-std::int64_t nanoseconds(const ros::Time& stamp) {
-  const auto ns = static_cast<std::int64_t>(stamp.toNSec());
-  return ns == 1 ? 0 : ns;
-}
-
 quad_sim::Measurement toMeasurement(const nav_msgs::Odometry& odometry, const mav_msgs::Actuators& motor_speed) {
   quad_sim::Measurement m;
-  const auto& pose = odometry.pose.pose;
-  const auto& twist = odometry.twist.twist;
-  m.odometry.time_ns = nanoseconds(odometry.header.stamp);
-  m.odometry.p_WB = {pose.position.x, pose.position.y, pose.position.z};
-  m.odometry.q_WB = Eigen::Quaterniond(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
-  m.odometry.v_WB_B = {twist.linear.x, twist.linear.y, twist.linear.z};
-  m.odometry.w_WB_B = {twist.angular.x, twist.angular.y, twist.angular.z};
+  m.odometry = quad_sim::fromMsg(odometry);
   for (const double speed : motor_speed.angular_velocities) m.rotor_speed.push_back(std::abs(speed));
   return m;
 }
@@ -101,7 +90,7 @@ quad_sim::Measurement RosPlant::advance(const Interval& interval) {
   call.request.hold_steps = static_cast<std::uint32_t>(interval.hold_steps);
   call.request.timeout = options_.timeout;
   ask(advance_, call);
-  pace(nanoseconds(call.response.odometry.header.stamp));
+  pace(quad_sim::simulatedTime(call.response.odometry.header.stamp));
   return toMeasurement(call.response.odometry, call.response.motor_speed);
 }
 
@@ -114,7 +103,7 @@ std::vector<quad_control::ControlOutput> RosPlant::end() {
   const auto& r = record.response;
   std::vector<quad_control::ControlOutput> commands(r.time.size());
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    commands[i].time_ns = nanoseconds(r.time[i]);
+    commands[i].time_ns = quad_sim::simulatedTime(r.time[i]);
     commands[i].thrust = r.thrust.at(i);
     commands[i].tau_phi = r.tau_phi.at(i);
     commands[i].tau_theta = r.tau_theta.at(i);

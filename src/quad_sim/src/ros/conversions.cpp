@@ -1,4 +1,4 @@
-#include "conversions.hpp"
+#include "quad_sim_ros/conversions.hpp"
 
 #include <fmt/core.h>
 
@@ -35,6 +35,11 @@ ros::Time toStamp(std::int64_t time_ns) { return toTime(time_ns == 0 ? 1 : time_
 
 std::int64_t toNanoseconds(const ros::Time& time) { return static_cast<std::int64_t>(time.sec) * kSecond + time.nsec; }
 
+std::int64_t simulatedTime(const ros::Time& stamp) {
+  const std::int64_t ns = toNanoseconds(stamp);
+  return ns == 1 ? 0 : ns;
+}
+
 nav_msgs::Odometry toMsg(const Odometry& odometry, const std::string& child_frame) {
   nav_msgs::Odometry out;
   out.header.stamp = toStamp(odometry.time_ns);
@@ -54,8 +59,7 @@ nav_msgs::Odometry toMsg(const Odometry& odometry, const std::string& child_fram
 
 Odometry fromMsg(const nav_msgs::Odometry& message) {
   Odometry out;
-  const std::int64_t stamp = toNanoseconds(message.header.stamp);
-  out.time_ns = stamp == 1 ? 0 : stamp;
+  out.time_ns = simulatedTime(message.header.stamp);
   const auto& p = message.pose.pose.position;
   const auto& q = message.pose.pose.orientation;
   out.p_WB = Eigen::Vector3d(p.x, p.y, p.z);

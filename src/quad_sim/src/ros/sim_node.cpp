@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "conversions.hpp"
+#include "quad_sim_ros/conversions.hpp"
 #include "quad_sim/plugin.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/number_format.hpp"

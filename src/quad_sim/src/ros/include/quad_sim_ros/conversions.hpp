@@ -21,6 +21,8 @@ ros::Time toStamp(std::int64_t time_ns);
 /// The same without the exception for zero.
 ros::Time toTime(std::int64_t time_ns);
 std::int64_t toNanoseconds(const ros::Time& time);
+/// Simulated time [ns] of a message's stamp, the inverse of toStamp(): 1 ns is 0 again.
+std::int64_t simulatedTime(const ros::Time& stamp);
 
 /// Pose in `world`, twist in body axes, covariances zero (the sensor is ideal).
 nav_msgs::Odometry toMsg(const Odometry& odometry, const std::string& child_frame);
