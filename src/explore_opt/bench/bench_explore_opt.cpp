@@ -1,4 +1,5 @@
-/// Time of a design with its certificate, and of identification. Build with the target `benchmarks`.
+/// Time of a design with its certificate, and of identification. Build with the target
+/// `benchmarks`.
 #include <benchmark/benchmark.h>
 
 #include "explore_opt/altitude_model.hpp"
@@ -50,8 +51,14 @@ void identify(benchmark::State& state) {
 
 }  // namespace
 
-BENCHMARK_CAPTURE(designGlobal, sin, Phase::kSin)->Arg(370)->Arg(3700)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(designGlobal, cos, Phase::kCos)->Arg(370)->Arg(3700)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(designGlobal, sin, Phase::kSin)
+    ->Arg(370)
+    ->Arg(3700)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(designGlobal, cos, Phase::kCos)
+    ->Arg(370)
+    ->Arg(3700)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(designGlobal, both, Phase::kBoth)->Arg(370)->Unit(benchmark::kMillisecond);
 BENCHMARK(designMm)->Unit(benchmark::kMillisecond);
 BENCHMARK(identify)->Arg(370)->Arg(3700)->Unit(benchmark::kMicrosecond);

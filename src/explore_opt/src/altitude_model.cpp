@@ -10,7 +10,8 @@ namespace {
 constexpr double kPi = 3.141592653589793238462643383280;
 
 void requireGravity(double gravity) {
-  require(std::isfinite(gravity) && gravity >= 0.0, "gravity = {} m/s²; must be a finite number, 0 or above", gravity);
+  require(std::isfinite(gravity) && gravity >= 0.0,
+          "gravity = {} m/s²; must be a finite number, 0 or above", gravity);
 }
 
 }  // namespace
@@ -51,11 +52,13 @@ FrequencyGrid crossoverGrid(double mass, double sampling_period, double time_uni
   grid.exploration_time = time_unit * std::round(grid.exact_time / time_unit);
   const double samples = std::round(grid.exploration_time / sampling_period);
   grid.harmonics = {3, 6, 8, 10};
-  require(samples > 2 * grid.harmonics.back() && samples < 1e9,
-          "T = {} s / {} s = {} samples; the lines 3, 6, 8, 10 need more than 20 and fewer than 1e9",
-          grid.exploration_time, sampling_period, samples);
+  require(
+      samples > 2 * grid.harmonics.back() && samples < 1e9,
+      "T = {} s / {} s = {} samples; the lines 3, 6, 8, 10 need more than 20 and fewer than 1e9",
+      grid.exploration_time, sampling_period, samples);
   grid.num_samples = static_cast<int>(samples);
-  for (const int h : grid.harmonics) grid.frequencies.push_back(h / (grid.num_samples * sampling_period));
+  for (const int h : grid.harmonics)
+    grid.frequencies.push_back(h / (grid.num_samples * sampling_period));
   return grid;
 }
 

@@ -22,14 +22,16 @@ MatrixXd BarrierProgram::slack(const VectorXd& a) const {
 bool BarrierProgram::objective(const VectorXd& a, double& f) {
   const Eigen::LLT<MatrixXd> llt(slack(a));
   if (llt.info() != Eigen::Success) return false;
-  f = 0.5 * a.squaredNorm() - 2.0 * mu_ * llt.matrixL().toDenseMatrix().diagonal().array().log().sum();
+  f = 0.5 * a.squaredNorm() -
+      2.0 * mu_ * llt.matrixL().toDenseMatrix().diagonal().array().log().sum();
   return std::isfinite(f);
 }
 
 bool BarrierProgram::gradient(const VectorXd& a, VectorXd& g) {
   const Eigen::LLT<MatrixXd> llt(slack(a));
   if (llt.info() != Eigen::Success) return false;
-  for (int i = 0; i < numVariables(); ++i) g(i) = a(i) - mu_ * llt.solve(F_[static_cast<std::size_t>(i)]).trace();
+  for (int i = 0; i < numVariables(); ++i)
+    g(i) = a(i) - mu_ * llt.solve(F_[static_cast<std::size_t>(i)]).trace();
   return true;
 }
 
@@ -52,7 +54,8 @@ bool BarrierProgram::hessian(const VectorXd& a, double weight, const VectorXd&, 
   int next = 0;
   for (std::size_t i = 0; i < F_.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
-      values(next++) = weight * (mu_ * whitened[i].cwiseProduct(whitened[j]).sum() + (i == j ? 1.0 : 0.0));
+      values(next++) =
+          weight * (mu_ * whitened[i].cwiseProduct(whitened[j]).sum() + (i == j ? 1.0 : 0.0));
     }
   }
   return true;

@@ -6,9 +6,10 @@
 
 namespace explore_opt {
 
-/// min ½‖a‖² - μ log det S(a),  S(a) = F_0 + Σ a_i F_i = lin(a; ã) - R: the constraint N(a) ⪰ R with N replaced by its
-/// lower bound from M Mᵀ ⪰ M Lᵀ + L Mᵀ - L Lᵀ, L = M(ã); F_i = ∂N/∂a_i(ã), F_0 = -N(ã) - R. Cholesky decides the
-/// domain. At its minimiser Z = μ S⁻¹ is dual feasible and the duality gap of ½‖a‖² is n μ.
+/// min ½‖a‖² - μ log det S(a),  S(a) = F_0 + Σ a_i F_i = lin(a; ã) - R: the constraint N(a) ⪰ R
+/// with N replaced by its lower bound from M Mᵀ ⪰ M Lᵀ + L Mᵀ - L Lᵀ, L = M(ã); F_i = ∂N/∂a_i(ã),
+/// F_0 = -N(ã) - R. Cholesky decides the domain. At its minimiser Z = μ S⁻¹ is dual feasible and
+/// the duality gap of ½‖a‖² is n μ.
 class BarrierProgram : public SmoothProgram {
  public:
   BarrierProgram(const QuadraticProgram& program, const Eigen::VectorXd& candidate);
@@ -23,7 +24,8 @@ class BarrierProgram : public SmoothProgram {
 
   Eigen::MatrixXd slack(const Eigen::VectorXd& a) const;        ///< S(a)
   Eigen::MatrixXd certificate(const Eigen::VectorXd& a) const;  ///< μ S(a)⁻¹
-  /// ½‖a‖² minus the dual value of certificate(a): tr(Z S) + ½‖a - c‖², c_i = tr(Z F_i). Equals n μ at the minimiser.
+  /// ½‖a‖² minus the dual value of certificate(a): tr(Z S) + ½‖a - c‖², c_i = tr(Z F_i). Equals n μ
+  /// at the minimiser.
   double gap(const Eigen::VectorXd& a) const;
 
  private:

@@ -15,33 +15,38 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kDualGap = 1e-9;         // of ½γ_e²; what the polished multipliers cannot improve is left to them
+constexpr double kDualGap =
+    1e-9;  // of ½γ_e²; what the polished multipliers cannot improve is left to them
 constexpr double kSolverTolerance = 1e-10;
 constexpr int kSolverIterations = 150;
 constexpr double kKktTolerance = 1e-6;
 constexpr int kRoundings = 32;
 
-/// One local solution: feasible amplitudes on the boundary, multiplier, whether both satisfy the KKT conditions.
+/// One local solution: feasible amplitudes on the boundary, multiplier, whether both satisfy the
+/// KKT conditions.
 struct LocalSolution {
   VectorXd amplitudes;
   MatrixXd Z;
   bool optimal = false;
 };
 
-/// a = 2 H(Z) a, Z ⪰ 0, tr Z (N(a) - γ_w I) = 0, each to 1e-6 of its size: judged from the data, not by the solver.
+/// a = 2 H(Z) a, Z ⪰ 0, tr Z (N(a) - γ_w I) = 0, each to 1e-6 of its size: judged from the data,
+/// not by the solver.
 bool satisfiesKkt(const DesignTask& task, const VectorXd& a, const MatrixXd& Z) {
   const double energy = a.squaredNorm();
   const VectorXd stationarity = a - 2.0 * task.response.gramOf(Z) * a;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> cone(Z, Eigen::EigenvaluesOnly);
-  const double complementarity = Z.cwiseProduct(task.response.information(a)).sum() - task.gamma_w * Z.trace();
+  const double complementarity =
+      Z.cwiseProduct(task.response.information(a)).sum() - task.gamma_w * Z.trace();
   return stationarity.norm() <= kKktTolerance * a.norm() &&
          cone.eigenvalues()(0) >= -kKktTolerance * std::abs(Z.trace()) &&
          std::abs(complementarity) <= kKktTolerance * energy;
 }
 
-/// Runs the factor program from (1 + margin) times `start`, a boundary point; `Z` warm-starts the multipliers.
-LocalSolution polish(const DesignTask& task, IpoptSolver& solver, const VectorXd& start, double margin,
-                     const MatrixXd* Z) {
+/// Runs the factor program from (1 + margin) times `start`, a boundary point; `Z` warm-starts the
+/// multipliers.
+LocalSolution polish(const DesignTask& task, IpoptSolver& solver, const VectorXd& start,
+                     double margin, const MatrixXd* Z) {
   const QuadraticProgram scaled(task.response, task.gamma_w, start);
   FactorProgram program(scaled);
   SolverStart from;
@@ -67,15 +72,17 @@ VectorXd roundLifted(const DesignTask& task, const QuadraticProgram& scaled, con
   VectorXd best = fallback;
   double least = task.cost(fallback);
   for (int i = 0; i <= kRoundings; ++i) {
-    const VectorXd weights = i == 0 ? VectorXd(VectorXd::Unit(p, p - 1))
-                                    : VectorXd(roots.cwiseProduct(randomDirection(task, seed, 1000 + i)));
+    const VectorXd weights =
+        i == 0 ? VectorXd(VectorXd::Unit(p, p - 1))
+               : VectorXd(roots.cwiseProduct(randomDirection(task, seed, 1000 + i)));
     const VectorXd direction = scaled.toAmplitudes(eigen.eigenvectors() * weights);
     const double cost = task.cost(direction);
     if (cost < least) {
       least = cost;
       best = task.onBoundary(direction);
     }
-    if (i == 0 && roots(p - 2 < 0 ? 0 : p - 2) < 1e-3 * roots(p - 1)) break;  // rank one: nothing to round
+    if (i == 0 && roots(p - 2 < 0 ? 0 : p - 2) < 1e-3 * roots(p - 1))
+      break;  // rank one: nothing to round
   }
   return best;
 }
@@ -123,11 +130,13 @@ void conclude(const Search& search, const DesignOptions& options, RawDesign& des
     design.message = fmt::format("globally optimal to {:.2g} (certified)", search.gap());
   } else if (search.optimal()) {
     design.status = DesignStatus::kSolved;
-    design.message = fmt::format("best local optimum of {} starts; certified within {:.2g} of the global one",
-                                 options.random_starts + 1, search.gap());
+    design.message =
+        fmt::format("best local optimum of {} starts; certified within {:.2g} of the global one",
+                    options.random_starts + 1, search.gap());
   } else {
     design.status = DesignStatus::kReducedAccuracy;
-    design.message = fmt::format("feasible, certified within {:.2g} of the optimum, but not a KKT point", search.gap());
+    design.message = fmt::format(
+        "feasible, certified within {:.2g} of the optimum, but not a KKT point", search.gap());
   }
 }
 
@@ -154,7 +163,8 @@ RawDesign designGlobal(const DesignTask& task, const DesignOptions& options) {
   for (int i = 0; i < options.random_starts && search.gap() > options.gap_tolerance; ++i) {
     quad_support::throwIfInterrupted();
     const VectorXd direction = randomDirection(task, options.seed, static_cast<std::uint64_t>(i));
-    if (task.excites(direction)) search.add(polish(task, solver, task.onBoundary(direction), 0.2, nullptr));
+    if (task.excites(direction))
+      search.add(polish(task, solver, task.onBoundary(direction), 0.2, nullptr));
   }
   conclude(search, options, design);
   return design;

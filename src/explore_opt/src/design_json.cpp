@@ -17,7 +17,8 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using quad_support::ConfigError;
 
-const std::set<std::string> kKeys = {"A", "B", "T", "harmonics", "frequencies", "phase", "gamma_w", "D_des", "x0", "K"};
+const std::set<std::string> kKeys = {"A",     "B",       "T",     "harmonics", "frequencies",
+                                     "phase", "gamma_w", "D_des", "x0",        "K"};
 
 /// Reads the values of one problem; every complaint names source and key.
 class Reader {
@@ -31,7 +32,9 @@ class Reader {
     return object_.at(key);
   }
 
-  Eigen::MatrixXd matrix(const std::string& key) const { return matrixFromJson(at(key), source_ + ": " + key); }
+  Eigen::MatrixXd matrix(const std::string& key) const {
+    return matrixFromJson(at(key), source_ + ": " + key);
+  }
 
   double number(const std::string& key) const {
     if (!at(key).is_number()) fail(key, fmt::format("= {}; must be a number", at(key).dump()));
@@ -39,7 +42,8 @@ class Reader {
   }
 
   int integer(const json& value, const std::string& key) const {
-    const bool fits = value.is_number_integer() && value.get<double>() >= 0.0 && value.get<double>() <= 1e9;
+    const bool fits =
+        value.is_number_integer() && value.get<double>() >= 0.0 && value.get<double>() <= 1e9;
     if (!fits) fail(key, fmt::format("= {}; must be a whole number, 0 to 1e9", value.dump()));
     return value.get<int>();
   }
@@ -56,7 +60,8 @@ class Reader {
 
   std::vector<int> integers(const std::string& key) const {
     std::vector<int> values;
-    for (const json& value : array(key)) values.push_back(integer(value, fmt::format("{}[{}]", key, values.size())));
+    for (const json& value : array(key))
+      values.push_back(integer(value, fmt::format("{}[{}]", key, values.size())));
     return values;
   }
 
@@ -68,7 +73,9 @@ class Reader {
   void refuseUnknownKeys() const {
     for (const auto& item : object_.items()) {
       if (kKeys.count(item.key()) == 0) {
-        fail(item.key(), "is not a key; there are A, B, T, harmonics, frequencies, phase, gamma_w, D_des, x0, K");
+        fail(item.key(),
+             "is not a key; there are A, B, T, harmonics, frequencies, phase, gamma_w, D_des, x0, "
+             "K");
       }
     }
   }
@@ -87,12 +94,15 @@ class Reader {
   std::string source_;
 };
 
-ordered_json numberOrNull(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
+ordered_json numberOrNull(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
 
 ordered_json amplitudesToJson(const Eigen::MatrixXd& amplitudes, Phase phase) {
   if (phase != Phase::kBoth) return matrixToJson(amplitudes);
   const Eigen::Index L = amplitudes.rows() / 2;
-  return {{"cos", matrixToJson(amplitudes.topRows(L))}, {"sin", matrixToJson(amplitudes.bottomRows(L))}};
+  return {{"cos", matrixToJson(amplitudes.topRows(L))},
+          {"sin", matrixToJson(amplitudes.bottomRows(L))}};
 }
 
 }  // namespace
@@ -100,7 +110,8 @@ ordered_json amplitudesToJson(const Eigen::MatrixXd& amplitudes, Phase phase) {
 ExplorationProblem problemFromJson(const std::string& text, const std::string& source) {
   const json object = parseJson(text, source);
   const Reader in(object, source);
-  if (!object.is_object()) throw ConfigError(source + ": must hold one JSON object, { \"A\": ..., ... }");
+  if (!object.is_object())
+    throw ConfigError(source + ": must hold one JSON object, { \"A\": ..., ... }");
   in.refuseUnknownKeys();
   ExplorationProblem problem;
   problem.A = in.matrix("A");
@@ -109,7 +120,8 @@ ExplorationProblem problemFromJson(const std::string& text, const std::string& s
   if (in.has("harmonics")) problem.lines.harmonics = in.integers("harmonics");
   if (in.has("frequencies")) problem.lines.frequencies = in.numbers("frequencies");
   problem.gamma_w = in.number("gamma_w");
-  problem.D_des = in.at("D_des").is_number() ? Eigen::MatrixXd::Constant(1, 1, in.number("D_des")) : in.matrix("D_des");
+  problem.D_des = in.at("D_des").is_number() ? Eigen::MatrixXd::Constant(1, 1, in.number("D_des"))
+                                             : in.matrix("D_des");
   if (in.has("x0")) {
     const std::vector<double> x0 = in.numbers("x0");
     problem.x0 = Eigen::Map<const Eigen::VectorXd>(x0.data(), static_cast<Eigen::Index>(x0.size()));
@@ -129,19 +141,24 @@ ordered_json designToJson(const ExplorationProblem& problem, const DesignResult&
   out["status"] = toString(result.status);
   out["method"] = toString(result.method);
   out["message"] = result.message;
-  out["amplitudes"] = result.feasible() ? amplitudesToJson(result.amplitudes, problem.phase) : ordered_json(nullptr);
+  out["amplitudes"] = result.feasible() ? amplitudesToJson(result.amplitudes, problem.phase)
+                                        : ordered_json(nullptr);
   out["gamma_e"] = numberOrNull(result.gamma_e);
-  out["lower_bound"] = result.lower_bound > 0.0 ? numberOrNull(result.lower_bound) : ordered_json(nullptr);
+  out["lower_bound"] =
+      result.lower_bound > 0.0 ? numberOrNull(result.lower_bound) : ordered_json(nullptr);
   out["gap"] = numberOrNull(result.gap);
-  out["certificate"] = result.certificate.size() > 0 ? matrixToJson(result.certificate) : ordered_json(nullptr);
+  out["certificate"] =
+      result.certificate.size() > 0 ? matrixToJson(result.certificate) : ordered_json(nullptr);
   out["lambda_min"] = numberOrNull(result.lambda_min);
-  out["inner_gap"] = result.method == DesignMethod::kMm ? numberOrNull(result.inner_gap) : ordered_json(nullptr);
+  out["inner_gap"] =
+      result.method == DesignMethod::kMm ? numberOrNull(result.inner_gap) : ordered_json(nullptr);
   out["iterations"] = ordered_json::array();
   for (const DesignIteration& iteration : result.iterations) {
-    out["iterations"].push_back({{"gamma_e", iteration.gamma_e},
-                                 {"step", iteration.step},
-                                 {"inner_gap", iteration.inner_gap},
-                                 {"amplitudes", amplitudesToJson(iteration.amplitudes, problem.phase)}});
+    out["iterations"].push_back(
+        {{"gamma_e", iteration.gamma_e},
+         {"step", iteration.step},
+         {"inner_gap", iteration.inner_gap},
+         {"amplitudes", amplitudesToJson(iteration.amplitudes, problem.phase)}});
   }
   out["seconds"] = result.seconds;
   return out;

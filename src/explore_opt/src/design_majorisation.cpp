@@ -17,8 +17,8 @@ using Eigen::VectorXd;
 
 constexpr double kSolverTolerance = 1e-9;
 constexpr int kSolverIterations = 200;
-constexpr double kShrink = 1e-3;      // of the barrier weight; smaller ones make Newton's steps crawl
-constexpr double kMargin = 1e-3;      // start of a relaxation outside the boundary
+constexpr double kShrink = 1e-3;  // of the barrier weight; smaller ones make Newton's steps crawl
+constexpr double kMargin = 1e-3;  // start of a relaxation outside the boundary
 
 /// Solution of one relaxation, in scaled coordinates.
 struct InnerSolution {
@@ -28,10 +28,10 @@ struct InnerSolution {
   bool centred = false;
 };
 
-/// Follows the barrier's path from (1 + 1e-3) ã, strictly inside because ã is on the boundary and N grows with the
-/// square, down to the weight whose gap n μ is `last_gap`.
-InnerSolution solveRelaxation(const QuadraticProgram& program, IpoptSolver& solver, const VectorXd& candidate,
-                              double last_gap) {
+/// Follows the barrier's path from (1 + 1e-3) ã, strictly inside because ã is on the boundary and N
+/// grows with the square, down to the weight whose gap n μ is `last_gap`.
+InnerSolution solveRelaxation(const QuadraticProgram& program, IpoptSolver& solver,
+                              const VectorXd& candidate, double last_gap) {
   BarrierProgram relaxation(program, candidate);
   const int n = program.size();
   InnerSolution inner;
@@ -67,8 +67,11 @@ VectorXd startOf(const DesignTask& task, const DesignOptions& options, RawDesign
   const auto p = task.response.numAmplitudes();
   if (options.initial_amplitudes.size() > 0) {
     requireShape(options.initial_amplitudes, p, 1, "initial amplitudes");
-    if (task.excites(options.initial_amplitudes)) return task.onBoundary(options.initial_amplitudes);
-    design.message = "the initial amplitudes do not excite all parameters; change their direction, size does not matter";
+    if (task.excites(options.initial_amplitudes))
+      return task.onBoundary(options.initial_amplitudes);
+    design.message =
+        "the initial amplitudes do not excite all parameters; change their direction, size does "
+        "not matter";
     return {};
   }
   if (task.excites(VectorXd::Ones(p))) return task.onBoundary(VectorXd::Ones(p));
@@ -77,14 +80,16 @@ VectorXd startOf(const DesignTask& task, const DesignOptions& options, RawDesign
   return {};
 }
 
-/// Accuracy of the next relaxation: a hundredth of what the last one gained, down to the one asked for.
+/// Accuracy of the next relaxation: a hundredth of what the last one gained, down to the one asked
+/// for.
 double innerGap(const std::vector<DesignIteration>& done, const DesignOptions& options) {
   if (done.size() < 2) return std::max(options.inner_gap, 1e-4);
   const double gained = 1.0 - done.back().gamma_e / done[done.size() - 2].gamma_e;
   return std::clamp(0.01 * gained, options.inner_gap, std::max(options.inner_gap, 1e-4));
 }
 
-/// Goes on from `before` over `after` with doubled steps, on the boundary, as long as that is cheaper.
+/// Goes on from `before` over `after` with doubled steps, on the boundary, as long as that is
+/// cheaper.
 VectorXd extrapolated(const DesignTask& task, const VectorXd& before, const VectorXd& after) {
   VectorXd best = after;
   for (double factor = 2.0; factor <= 1024.0; factor *= 2.0) {
@@ -97,9 +102,10 @@ VectorXd extrapolated(const DesignTask& task, const VectorXd& before, const Vect
 
 enum class Outcome { kImproved, kConverged, kNoDecrease };
 
-/// One re-linearisation with inner accuracy `gap`. A step that does not lower the cost is not taken.
-Outcome improve(const DesignTask& task, const DesignOptions& options, double gap, IpoptSolver& solver,
-                RawDesign& design) {
+/// One re-linearisation with inner accuracy `gap`. A step that does not lower the cost is not
+/// taken.
+Outcome improve(const DesignTask& task, const DesignOptions& options, double gap,
+                IpoptSolver& solver, RawDesign& design) {
   const VectorXd before = design.amplitudes;
   const QuadraticProgram program(task.response, task.gamma_w, before);
   const InnerSolution inner = solveRelaxation(program, solver, program.toScaled(before), 0.5 * gap);
@@ -118,8 +124,8 @@ Outcome improve(const DesignTask& task, const DesignOptions& options, double gap
   return small ? Outcome::kConverged : Outcome::kImproved;
 }
 
-/// Re-linearises until nothing changes; false if the iterations ran out. Without a decrease it goes on once with the
-/// full inner accuracy before it believes that there is none.
+/// Re-linearises until nothing changes; false if the iterations ran out. Without a decrease it goes
+/// on once with the full inner accuracy before it believes that there is none.
 bool iterate(const DesignTask& task, const DesignOptions& options, RawDesign& design) {
   IpoptSolver solver(kSolverTolerance, kSolverIterations);
   bool accurate = false;
@@ -149,8 +155,9 @@ RawDesign designByMajorisation(const DesignTask& task, const DesignOptions& opti
   const QuadraticProgram program(task.response, task.gamma_w, design.amplitudes);
   const Certificate dual = task.certify(program.toCertificate(solveDual(program, 1e-9).Z));
   if (dual.bound > design.certificate.bound) design.certificate = dual;
-  design.message = fmt::format("{} steps, {}", design.iterations.size() - 1,
-                               converged ? "cost and step below their thresholds" : "iteration limit reached");
+  design.message =
+      fmt::format("{} steps, {}", design.iterations.size() - 1,
+                  converged ? "cost and step below their thresholds" : "iteration limit reached");
   return design;
 }
 

@@ -20,8 +20,10 @@ constexpr std::uint64_t kSimpleDirections = 1 << 20;        // apart from the so
 double largestEigenvalue(const PredictedResponse& response, const MatrixXd& Z) {
   PredictedResponse sizes;
   for (const MatrixXd& F : response.factors) sizes.factors.push_back(F.cwiseAbs());
-  const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * sizes.gramOf(Z.cwiseAbs()).norm();
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(response.gramOf(Z)).eigenvalues().tail(1)(0) + rounding;
+  const double rounding =
+      8.0 * std::numeric_limits<double>::epsilon() * sizes.gramOf(Z.cwiseAbs()).norm();
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(response.gramOf(Z)).eigenvalues().tail(1)(0) +
+         rounding;
 }
 
 }  // namespace
@@ -76,7 +78,8 @@ VectorXd DesignTask::components(const MatrixXd& table) const {
 VectorXd randomDirection(const DesignTask& task, std::uint64_t seed, std::uint64_t index) {
   const quad_support::RandomStream random(seed, 0, kDirectionStream);
   VectorXd direction(task.response.numAmplitudes());
-  for (int i = 0; i < direction.size(); ++i) direction(i) = random.normal(index, static_cast<std::uint64_t>(i));
+  for (int i = 0; i < direction.size(); ++i)
+    direction(i) = random.normal(index, static_cast<std::uint64_t>(i));
   return direction;
 }
 

@@ -1,4 +1,5 @@
-/// What both design methods share: scaling to the boundary, directions to start from, certificates, the last checks.
+/// What both design methods share: scaling to the boundary, directions to start from, certificates,
+/// the last checks.
 #pragma once
 
 #include <optional>
@@ -43,8 +44,9 @@ struct DesignTask {
   Eigen::VectorXd components(const Eigen::MatrixXd& table) const;
 };
 
-/// The cheapest of simple directions (equal, single, random signs, normal), scaled to the boundary; none if none of
-/// them excites. A polynomial that is zero at a random point is zero everywhere, so none means no direction does.
+/// The cheapest of simple directions (equal, single, random signs, normal), scaled to the boundary;
+/// none if none of them excites. A polynomial that is zero at a random point is zero everywhere, so
+/// none means no direction does.
 std::optional<Eigen::VectorXd> cheapestSimpleDirection(const DesignTask& task, std::uint64_t seed);
 
 /// Component-wise normal random direction number `index`.

@@ -18,11 +18,13 @@ LinearSystem discretise(const LinearSystem& continuous, double sampling_period) 
   requireFinite(W, "W");
   requirePositive(sampling_period, "sampling period");
 
-  // Thesis section 2.3: exp([[A, B], [0, 0]] dT) holds A and B of the sampled system; W is one more input.
+  // Thesis section 2.3: exp([[A, B], [0, 0]] dT) holds A and B of the sampled system; W is one more
+  // input.
   Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(nx + nu + 1, nx + nu + 1);
   generator.topRows(nx) << continuous.A, continuous.B, W;
   const Eigen::MatrixXd transition = (generator * sampling_period).exp();
-  return {transition.topLeftCorner(nx, nx), transition.block(0, nx, nx, nu), transition.topRightCorner(nx, 1)};
+  return {transition.topLeftCorner(nx, nx), transition.block(0, nx, nx, nu),
+          transition.topRightCorner(nx, 1)};
 }
 
 }  // namespace explore_opt

@@ -6,7 +6,8 @@ namespace explore_opt {
 namespace {
 
 /// The system's W, zero where it has none, after checking all shapes against the trajectory.
-Eigen::VectorXd offsetFor(const LinearSystem& system, const Eigen::MatrixXd& X, const Eigen::MatrixXd& U) {
+Eigen::VectorXd offsetFor(const LinearSystem& system, const Eigen::MatrixXd& X,
+                          const Eigen::MatrixXd& U) {
   requireTrajectory(X, U);
   requireShape(system.A, X.rows(), X.rows(), "A");
   requireShape(system.B, X.rows(), U.rows(), "B");
@@ -23,20 +24,23 @@ double constantDisturbanceEnergy(const Eigen::VectorXd& W, int num_samples) {
   return num_samples * W.squaredNorm();
 }
 
-Eigen::VectorXd compensatedDisturbance(const LinearSystem& system, const Eigen::VectorXd& feedforward) {
+Eigen::VectorXd compensatedDisturbance(const LinearSystem& system,
+                                       const Eigen::VectorXd& feedforward) {
   requireShape(feedforward, system.B.cols(), 1, "feed-forward");
   requireShape(system.W, system.B.rows(), 1, "W");
   return system.B * feedforward + system.W;
 }
 
-double oneStepEnergy(const LinearSystem& system, const Eigen::MatrixXd& X, const Eigen::MatrixXd& U) {
+double oneStepEnergy(const LinearSystem& system, const Eigen::MatrixXd& X,
+                     const Eigen::MatrixXd& U) {
   const Eigen::VectorXd W = offsetFor(system, X, U);
   const Eigen::Index T = U.cols();
   const Eigen::MatrixXd predicted = (system.A * X.leftCols(T) + system.B * U).colwise() + W;
   return (X.rightCols(T) - predicted).squaredNorm();
 }
 
-double simulationEnergy(const LinearSystem& system, const Eigen::MatrixXd& X, const Eigen::MatrixXd& U) {
+double simulationEnergy(const LinearSystem& system, const Eigen::MatrixXd& X,
+                        const Eigen::MatrixXd& U) {
   const Eigen::VectorXd W = offsetFor(system, X, U);
   double energy = 0.0;
   Eigen::VectorXd simulated = X.col(0);

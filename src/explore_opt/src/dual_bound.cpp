@@ -39,8 +39,9 @@ VectorXd traces(const MatrixXd& columns, Index n) {
   return sum;
 }
 
-/// Change of the barrier along Z + t D: φ(t) = slope t - Σ log(1 + t rates). The rates are eigenvalues of D and of
-/// -2 H(D) relative to Z and to I - 2 H(Z); differences of the barrier's values would drown in their rounding.
+/// Change of the barrier along Z + t D: φ(t) = slope t - Σ log(1 + t rates). The rates are
+/// eigenvalues of D and of -2 H(D) relative to Z and to I - 2 H(Z); differences of the barrier's
+/// values would drown in their rounding.
 struct Ray {
   double slope;
   VectorXd rates;
@@ -53,17 +54,23 @@ struct Ray {
 };
 
 VectorXd relativeEigenvalues(const MatrixXd& m, const MatrixXd& direction) {
-  const MatrixXd white = Eigen::Map<const MatrixXd>(whitened(m, {direction}).data(), m.rows(), m.cols());
+  const MatrixXd white =
+      Eigen::Map<const MatrixXd>(whitened(m, {direction}).data(), m.rows(), m.cols());
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(white, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
 /// One Newton step with backtracking; returns the Newton decrement before it, 0 if it cannot go on.
-double newtonStep(const QuadraticProgram& program, const DualBarrier& barrier, double mu, MatrixXd& Z) {
+double newtonStep(const QuadraticProgram& program, const DualBarrier& barrier, double mu,
+                  MatrixXd& Z) {
   VectorXd gradient;
   MatrixXd root;
   barrier.gradientAndRoot(Z, mu, gradient, root);
-  // Hessian = rootᵀ root; its triangle from a QR keeps the digits that forming the product would lose.
-  const MatrixXd R = Eigen::HouseholderQR<MatrixXd>(root).matrixQR().topRows(root.cols()).triangularView<Eigen::Upper>();
+  // Hessian = rootᵀ root; its triangle from a QR keeps the digits that forming the product would
+  // lose.
+  const MatrixXd R = Eigen::HouseholderQR<MatrixXd>(root)
+                         .matrixQR()
+                         .topRows(root.cols())
+                         .triangularView<Eigen::Upper>();
   const auto upper = R.triangularView<Eigen::Upper>();
   const VectorXd half = upper.transpose().solve(gradient);
   const VectorXd step = -upper.solve(half);
@@ -83,7 +90,8 @@ double newtonStep(const QuadraticProgram& program, const DualBarrier& barrier, d
   return 0.0;  // no progress in double precision: as centred as it gets
 }
 
-int centre(const QuadraticProgram& program, const DualBarrier& barrier, double mu, double decrement, MatrixXd& Z) {
+int centre(const QuadraticProgram& program, const DualBarrier& barrier, double mu, double decrement,
+           MatrixXd& Z) {
   constexpr int kMaxSteps = 60;
   int steps = 0;
   while (steps < kMaxSteps && newtonStep(program, barrier, mu, Z) > decrement) ++steps;
@@ -126,9 +134,11 @@ bool DualBarrier::value(const MatrixXd& Z, double mu, double& f) const {
   return true;
 }
 
-void DualBarrier::gradientAndRoot(const MatrixXd& Z, double mu, VectorXd& gradient, MatrixXd& root) const {
+void DualBarrier::gradientAndRoot(const MatrixXd& Z, double mu, VectorXd& gradient,
+                                  MatrixXd& root) const {
   const MatrixXd cone = whitened(Z, basis_), energy = whitened(slack(Z), images_);
-  gradient = -reward_ / mu - traces(cone, program_.size()) + traces(energy, program_.numAmplitudes());
+  gradient =
+      -reward_ / mu - traces(cone, program_.size()) + traces(energy, program_.numAmplitudes());
   root.resize(cone.rows() + energy.rows(), cone.cols());
   root << cone, energy;
 }
@@ -143,7 +153,8 @@ DualSolution solveDual(const QuadraticProgram& program, double gap) {
   const double last = gap / (n + p);
   double mu = 0.1 / (n + p);  // the maximum is at most 1/2, the cost of the reference
   for (;;) {
-    // The last centre is sharp: what remains of the gradient enters the lifted matrix many times over.
+    // The last centre is sharp: what remains of the gradient enters the lifted matrix many times
+    // over.
     dual.newton_steps += centre(program, barrier, mu, mu <= last ? 1e-6 : 0.1, dual.Z);
     if (mu <= last) break;
     mu = std::max(last, 0.1 * mu);

@@ -1,4 +1,5 @@
-/// The convex dual of the design problem: a certified lower bound, and where to look for the amplitudes.
+/// The convex dual of the design problem: a certified lower bound, and where to look for the
+/// amplitudes.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,8 +16,9 @@ struct DualSolution {
   int newton_steps = 0;
 };
 
-/// Path following on  -tr(R Z)/μ - log det Z - log det(I - 2 H(Z))  by damped Newton steps, which are certain to
-/// converge because this barrier is self-concordant. Ends with gap (n + p) μ <= `gap`.
+/// Path following on  -tr(R Z)/μ - log det Z - log det(I - 2 H(Z))  by damped Newton steps, which
+/// are certain to converge because this barrier is self-concordant. Ends with gap (n + p) μ <=
+/// `gap`.
 DualSolution solveDual(const QuadraticProgram& program, double gap);
 
 /// Value and derivatives of that barrier in the entries of the lower triangle of Z.
@@ -27,7 +29,8 @@ class DualBarrier {
   Eigen::MatrixXd matrix(const Eigen::VectorXd& z) const;
   bool value(const Eigen::MatrixXd& Z, double mu, double& f) const;  ///< false outside the domain
   /// The Hessian is rootᵀ root.
-  void gradientAndRoot(const Eigen::MatrixXd& Z, double mu, Eigen::VectorXd& gradient, Eigen::MatrixXd& root) const;
+  void gradientAndRoot(const Eigen::MatrixXd& Z, double mu, Eigen::VectorXd& gradient,
+                       Eigen::MatrixXd& root) const;
   Eigen::MatrixXd slack(const Eigen::MatrixXd& Z) const;  ///< I - 2 H(Z)
 
  private:

@@ -15,12 +15,14 @@ DesignTask taskOf(const ExplorationProblem& problem) {
 
 void validate(const DesignOptions& options) {
   requirePositive(options.gap_tolerance, "gap tolerance");
-  require(options.random_starts >= 0, "random starts = {}; must be 0 or above", options.random_starts);
+  require(options.random_starts >= 0, "random starts = {}; must be 0 or above",
+          options.random_starts);
   requirePositive(options.cost_tolerance, "cost tolerance");
   requirePositive(options.step_tolerance, "step tolerance");
   requirePositive(options.inner_gap, "inner gap");
   require(options.inner_gap < 1.0, "inner gap = {}; must be below 1", options.inner_gap);
-  require(options.max_iterations >= 1, "max iterations = {}; must be at least 1", options.max_iterations);
+  require(options.max_iterations >= 1, "max iterations = {}; must be at least 1",
+          options.max_iterations);
   requireFinite(options.initial_amplitudes, "initial amplitudes");
 }
 
@@ -42,7 +44,8 @@ void fill(const DesignTask& task, const RawDesign& raw, DesignResult& result) {
   const double lambda_min = task.response.lambdaMin(raw.amplitudes) / task.gamma_w;
   if (!raw.amplitudes.allFinite() || !(lambda_min >= 1.0 - 1e-9)) {
     result.status = DesignStatus::kNumericalError;
-    result.message = fmt::format("the amplitudes reach only {} of the required information", lambda_min);
+    result.message =
+        fmt::format("the amplitudes reach only {} of the required information", lambda_min);
     return;
   }
   result.amplitudes = task.table(withPositiveLargest(raw.amplitudes));
@@ -53,7 +56,9 @@ void fill(const DesignTask& task, const RawDesign& raw, DesignResult& result) {
 
 }  // namespace
 
-std::string toString(DesignMethod method) { return method == DesignMethod::kGlobal ? "global" : "mm"; }
+std::string toString(DesignMethod method) {
+  return method == DesignMethod::kGlobal ? "global" : "mm";
+}
 
 DesignMethod methodFromString(const std::string& text) {
   for (const DesignMethod method : {DesignMethod::kGlobal, DesignMethod::kMm}) {
@@ -64,12 +69,18 @@ DesignMethod methodFromString(const std::string& text) {
 
 std::string toString(DesignStatus status) {
   switch (status) {
-    case DesignStatus::kSolved: return "solved";
-    case DesignStatus::kReducedAccuracy: return "reduced_accuracy";
-    case DesignStatus::kInfeasible: return "infeasible";
-    case DesignStatus::kNotExciting: return "not_exciting";
-    case DesignStatus::kIterationLimit: return "iteration_limit";
-    case DesignStatus::kNumericalError: return "numerical_error";
+    case DesignStatus::kSolved:
+      return "solved";
+    case DesignStatus::kReducedAccuracy:
+      return "reduced_accuracy";
+    case DesignStatus::kInfeasible:
+      return "infeasible";
+    case DesignStatus::kNotExciting:
+      return "not_exciting";
+    case DesignStatus::kIterationLimit:
+      return "iteration_limit";
+    case DesignStatus::kNumericalError:
+      return "numerical_error";
   }
   return "numerical_error";
 }
@@ -80,7 +91,9 @@ DesignResult designExploration(const ExplorationProblem& problem, const DesignOp
   const DesignTask task = taskOf(problem);
   DesignResult result;
   result.method = options.method;
-  fill(task, options.method == DesignMethod::kGlobal ? designGlobal(task, options) : designByMajorisation(task, options),
+  fill(task,
+       options.method == DesignMethod::kGlobal ? designGlobal(task, options)
+                                               : designByMajorisation(task, options),
        result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
@@ -95,7 +108,8 @@ double lowerBound(const ExplorationProblem& problem, const Eigen::MatrixXd& cert
 
 double scaledCost(const ExplorationProblem& problem, const Eigen::MatrixXd& amplitudes) {
   const DesignTask task = taskOf(problem);
-  requireShape(amplitudes, numCarriers(problem.lines, problem.phase), problem.numInputs(), "amplitudes");
+  requireShape(amplitudes, numCarriers(problem.lines, problem.phase), problem.numInputs(),
+               "amplitudes");
   requireFinite(amplitudes, "amplitudes");
   return task.cost(task.components(amplitudes));
 }

@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kTwoPi = 6.283185307179586476925286766559;
 
-/// A point of the unit circle given as a fraction of a turn, folded to within an eighth of one of the axes, so that
-/// sines and cosines of equal angles come out equal and those of multiples of a quarter turn exact.
+/// A point of the unit circle given as a fraction of a turn, folded to within an eighth of one of
+/// the axes, so that sines and cosines of equal angles come out equal and those of multiples of a
+/// quarter turn exact.
 struct Turn {
   double cosine, sine;
 };
@@ -22,16 +23,21 @@ Turn turn(double fraction) {
   const double angle = kTwoPi * (fraction - 0.25 * quarters);
   const double c = std::cos(angle), s = std::sin(angle);
   switch (static_cast<int>(quarters) & 3) {
-    case 0: return {c, s};
-    case 1: return {-s, c};
-    case 2: return {-c, -s};
-    default: return {s, -c};
+    case 0:
+      return {c, s};
+    case 1:
+      return {-s, c};
+    case 2:
+      return {-c, -s};
+    default:
+      return {s, -c};
   }
 }
 
 Turn turnOfHarmonic(std::int64_t harmonic, std::int64_t k, std::int64_t T) {
   const std::int64_t rest = harmonic * k % T;
-  const std::int64_t nearest = 2 * rest > T ? rest - T : rest;  // within half a turn: sines come out exactly odd
+  const std::int64_t nearest =
+      2 * rest > T ? rest - T : rest;  // within half a turn: sines come out exactly odd
   return turn(static_cast<double>(nearest) / static_cast<double>(T));
 }
 
@@ -51,8 +57,9 @@ template <typename T>
 void requireDistinct(const std::vector<T>& values, const char* name) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto first = std::find(values.begin(), values.end(), values[i]);
-    require(first == values.begin() + static_cast<std::ptrdiff_t>(i), "{}[{}] = {} stands in the list already (at {})",
-            name, i, values[i], first - values.begin());
+    require(first == values.begin() + static_cast<std::ptrdiff_t>(i),
+            "{}[{}] = {} stands in the list already (at {})", name, i, values[i],
+            first - values.begin());
   }
 }
 
@@ -73,15 +80,18 @@ void validate(const SpectralLines& lines) {
   const int T = lines.num_samples;
   require(T >= 1, "T = {}; must be at least 1", T);
   require(lines.harmonics.empty() != lines.frequencies.empty(),
-          "{} harmonics and {} frequencies; give exactly one of the two lists", lines.harmonics.size(),
-          lines.frequencies.size());
+          "{} harmonics and {} frequencies; give exactly one of the two lists",
+          lines.harmonics.size(), lines.frequencies.size());
   for (std::size_t i = 0; i < lines.harmonics.size(); ++i) {
     const int h = lines.harmonics[i];
-    require(h > 0 && h <= (T - 1) / 2, "harmonics[{}] = {}; must lie in 1..{} (below T/2, T = {})", i, h, (T - 1) / 2, T);
+    require(h > 0 && h <= (T - 1) / 2, "harmonics[{}] = {}; must lie in 1..{} (below T/2, T = {})",
+            i, h, (T - 1) / 2, T);
   }
   for (std::size_t i = 0; i < lines.frequencies.size(); ++i) {
     const double f = lines.frequencies[i];
-    require(f > 0.0 && f < 0.5, "frequencies[{}] = {}; must lie between 0 and 1/2 cycles per sample, ends excluded", i, f);
+    require(f > 0.0 && f < 0.5,
+            "frequencies[{}] = {}; must lie between 0 and 1/2 cycles per sample, ends excluded", i,
+            f);
   }
   requireDistinct(lines.harmonics, "harmonics");
   requireDistinct(lines.frequencies, "frequencies");
@@ -105,21 +115,24 @@ Eigen::MatrixXd carriers(const SpectralLines& lines, Phase phase) {
   return rows;
 }
 
-Eigen::MatrixXd multisine(const SpectralLines& lines, Phase phase, const Eigen::MatrixXd& amplitudes) {
+Eigen::MatrixXd multisine(const SpectralLines& lines, Phase phase,
+                          const Eigen::MatrixXd& amplitudes) {
   validate(lines);
   require(amplitudes.rows() == numCarriers(lines, phase) && amplitudes.cols() >= 1,
-          "amplitudes are {} x {}; must have {} rows, one a carrier, and a column an input", amplitudes.rows(),
-          amplitudes.cols(), numCarriers(lines, phase));
+          "amplitudes are {} x {}; must have {} rows, one a carrier, and a column an input",
+          amplitudes.rows(), amplitudes.cols(), numCarriers(lines, phase));
   requireFinite(amplitudes, "amplitudes");
   return amplitudes.transpose() * carriers(lines, phase);
 }
 
 double signalEnergy(const Eigen::MatrixXd& U) { return U.squaredNorm(); }
 
-Eigen::MatrixXd gaussianSignal(double energy, int num_inputs, int num_samples, std::uint64_t seed, std::uint64_t run,
-                               std::uint64_t stream) {
-  require(std::isfinite(energy) && energy >= 0.0, "energy = {}; must be a finite number, 0 or above", energy);
-  require(num_inputs >= 1 && num_samples >= 1, "{} inputs, {} samples; both must be at least 1", num_inputs, num_samples);
+Eigen::MatrixXd gaussianSignal(double energy, int num_inputs, int num_samples, std::uint64_t seed,
+                               std::uint64_t run, std::uint64_t stream) {
+  require(std::isfinite(energy) && energy >= 0.0,
+          "energy = {}; must be a finite number, 0 or above", energy);
+  require(num_inputs >= 1 && num_samples >= 1, "{} inputs, {} samples; both must be at least 1",
+          num_inputs, num_samples);
   const quad_support::RandomStream random(seed, run, stream);
   Eigen::MatrixXd U(num_inputs, num_samples);
   for (int k = 0; k < num_samples; ++k) {

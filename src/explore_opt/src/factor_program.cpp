@@ -9,7 +9,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 FactorProgram::FactorProgram(const QuadraticProgram& program)
-    : program_(program), p_(program.numAmplitudes()), n_(program.size()), triangle_(n_ * (n_ + 1) / 2) {}
+    : program_(program),
+      p_(program.numAmplitudes()),
+      n_(program.size()),
+      triangle_(n_ * (n_ + 1) / 2) {}
 
 MatrixXd FactorProgram::lowerOf(const VectorXd& x) const {
   MatrixXd L = MatrixXd::Zero(n_, n_);
@@ -81,7 +84,8 @@ Positions FactorProgram::hessianPositions() const {
   return positions;
 }
 
-bool FactorProgram::hessian(const VectorXd&, double weight, const VectorXd& multipliers, VectorXd& values) {
+bool FactorProgram::hessian(const VectorXd&, double weight, const VectorXd& multipliers,
+                            VectorXd& values) {
   const MatrixXd Lambda = -certificateOf(multipliers);
   const MatrixXd H = program_.H(Lambda);
   int next = 0;

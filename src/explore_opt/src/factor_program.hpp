@@ -1,4 +1,5 @@
-/// The design problem with the matrix inequality written as N(a) - R = L Lᵀ, for a solver of smooth programs.
+/// The design problem with the matrix inequality written as N(a) - R = L Lᵀ, for a solver of smooth
+/// programs.
 #pragma once
 
 #include "quadratic_program.hpp"
@@ -6,9 +7,10 @@
 
 namespace explore_opt {
 
-/// min ½‖a‖² s.t. the lower triangle of N(a) - R - L Lᵀ is zero; L lower triangular, its diagonal of any sign.
-/// Variables: a, then L row by row. Constraints: the lower triangle row by row.
-/// math: ∂c/∂a_i = ∂N/∂a_i; the Hessian of λᵀc is 2 H(Λ) in a and -2 Λ_ik δ_jl in (L_ij, L_kl), Λ = (λ + λᵀ)/2.
+/// min ½‖a‖² s.t. the lower triangle of N(a) - R - L Lᵀ is zero; L lower triangular, its diagonal
+/// of any sign. Variables: a, then L row by row. Constraints: the lower triangle row by row. math:
+/// ∂c/∂a_i = ∂N/∂a_i; the Hessian of λᵀc is 2 H(Λ) in a and -2 Λ_ik δ_jl in (L_ij, L_kl), Λ = (λ +
+/// λᵀ)/2.
 class FactorProgram : public SmoothProgram {
  public:
   explicit FactorProgram(const QuadraticProgram& program);

@@ -31,7 +31,9 @@ class Excess {
   AltitudeParameters at(double sigma) const {
     return {truth_.sampling_period + sigma * n1_, truth_.mass + sigma * n2_};
   }
-  bool physical(double sigma) const { return at(sigma).sampling_period > 0.0 && at(sigma).mass > 0.0; }
+  bool physical(double sigma) const {
+    return at(sigma).sampling_period > 0.0 && at(sigma).mass > 0.0;
+  }
   double operator()(double sigma) const {
     return closeness_ * parameterError(truth_, at(sigma)).squaredNorm() - 1.0;
   }
@@ -50,7 +52,8 @@ double bisect(const Excess& excess, double below, double above) {
   return above;
 }
 
-/// The smallest σ > 0 with excess zero before a parameter reaches zero; the scan multiplies σ by 1.02.
+/// The smallest σ > 0 with excess zero before a parameter reaches zero; the scan multiplies σ
+/// by 1.02.
 std::optional<double> smallestRoot(const Excess& excess, double scale) {
   double below = 0.0;
   for (double sigma = 1e-9 * scale; sigma < 1e9 * scale; sigma *= 1.02) {
@@ -63,7 +66,8 @@ std::optional<double> smallestRoot(const Excess& excess, double scale) {
 
 }  // namespace
 
-Eigen::VectorXd parameterError(const AltitudeParameters& truth, const AltitudeParameters& estimate) {
+Eigen::VectorXd parameterError(const AltitudeParameters& truth,
+                               const AltitudeParameters& estimate) {
   const Eigen::MatrixXd difference = theta(truth) - theta(estimate);
   return Eigen::Map<const Eigen::VectorXd>(difference.data(), difference.size());
 }
@@ -79,21 +83,24 @@ double closenessOfEstimate(const AltitudeParameters& truth, const AltitudeParame
   return 1.0 / parameterError(truth, estimate).squaredNorm();
 }
 
-Eigen::MatrixXd initialCloseness(const AltitudeParameters& truth, const AltitudeParameters& estimate) {
+Eigen::MatrixXd initialCloseness(const AltitudeParameters& truth,
+                                 const AltitudeParameters& estimate) {
   return closenessOfEstimate(truth, estimate) * Eigen::MatrixXd::Identity(6, 6);
 }
 
-bool asksForMore(const Eigen::MatrixXd& desired_closeness, const Eigen::MatrixXd& initial_closeness) {
+bool asksForMore(const Eigen::MatrixXd& desired_closeness,
+                 const Eigen::MatrixXd& initial_closeness) {
   const Eigen::Index n = desired_closeness.rows();
   requireShape(desired_closeness, n, n, "D_des");
   requireShape(initial_closeness, n, n, "D_init");
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> difference(desired_closeness - initial_closeness);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> difference(desired_closeness -
+                                                                  initial_closeness);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> desired(desired_closeness);
   return difference.eigenvalues()(0) >= -1e-12 * std::abs(desired.eigenvalues()(n - 1));
 }
 
-InitialEstimate drawInitialEstimate(const AltitudeParameters& truth, double closeness, std::uint64_t seed,
-                                    std::uint64_t run) {
+InitialEstimate drawInitialEstimate(const AltitudeParameters& truth, double closeness,
+                                    std::uint64_t seed, std::uint64_t run) {
   requirePositive(truth.sampling_period, "true sampling period [s]");
   requirePositive(truth.mass, "true mass [kg]");
   requirePositive(closeness, "closeness λ_D");
@@ -108,9 +115,9 @@ InitialEstimate drawInitialEstimate(const AltitudeParameters& truth, double clos
     estimate.parameters = excess.at(*sigma);
     return estimate;
   }
-  throw quad_support::DataError(
-      fmt::format("λ_D = {}: no physical estimate (dT > 0, m > 0) in {} draws; ask for a larger λ_D", closeness,
-                  kMaxRejected));
+  throw quad_support::DataError(fmt::format(
+      "λ_D = {}: no physical estimate (dT > 0, m > 0) in {} draws; ask for a larger λ_D", closeness,
+      kMaxRejected));
 }
 
 }  // namespace explore_opt

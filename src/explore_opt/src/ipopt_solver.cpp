@@ -16,15 +16,21 @@ using Ipopt::Number;
 
 SolverStatus statusOf(Ipopt::ApplicationReturnStatus status) {
   switch (status) {
-    case Ipopt::Solve_Succeeded: return SolverStatus::kConverged;
-    case Ipopt::Solved_To_Acceptable_Level: return SolverStatus::kAcceptable;
+    case Ipopt::Solve_Succeeded:
+      return SolverStatus::kConverged;
+    case Ipopt::Solved_To_Acceptable_Level:
+      return SolverStatus::kAcceptable;
     case Ipopt::Search_Direction_Becomes_Too_Small:
     case Ipopt::Restoration_Failed:
-    case Ipopt::Feasible_Point_Found: return SolverStatus::kStalled;
-    case Ipopt::Maximum_Iterations_Exceeded: return SolverStatus::kIterationLimit;
+    case Ipopt::Feasible_Point_Found:
+      return SolverStatus::kStalled;
+    case Ipopt::Maximum_Iterations_Exceeded:
+      return SolverStatus::kIterationLimit;
     case Ipopt::Invalid_Option:  // an unknown linear solver is reported only here
-      throw quad_support::EnvironmentError("Ipopt refuses its options; is it built with the linear solver mumps?");
-    default: return SolverStatus::kFailed;
+      throw quad_support::EnvironmentError(
+          "Ipopt refuses its options; is it built with the linear solver mumps?");
+    default:
+      return SolverStatus::kFailed;
   }
 }
 
@@ -32,10 +38,14 @@ SolverStatus statusOf(Ipopt::ApplicationReturnStatus status) {
 class Adapter : public Ipopt::TNLP {
  public:
   Adapter(SmoothProgram& program, const SolverStart& start, SolverAnswer& answer)
-      : program_(program), start_(start), answer_(answer), jacobian_(program.jacobianPositions()),
+      : program_(program),
+        start_(start),
+        answer_(answer),
+        jacobian_(program.jacobianPositions()),
         hessian_(program.hessianPositions()) {}
 
-  bool get_nlp_info(Index& n, Index& m, Index& nnz_jac, Index& nnz_hess, IndexStyleEnum& style) override {
+  bool get_nlp_info(Index& n, Index& m, Index& nnz_jac, Index& nnz_hess,
+                    IndexStyleEnum& style) override {
     n = program_.numVariables();
     m = program_.numConstraints();
     nnz_jac = static_cast<Index>(jacobian_.size());
@@ -52,8 +62,8 @@ class Adapter : public Ipopt::TNLP {
     return true;
   }
 
-  bool get_starting_point(Index n, bool, Number* x, bool, Number* zl, Number* zu, Index m, bool init_lambda,
-                          Number* lambda) override {
+  bool get_starting_point(Index n, bool, Number* x, bool, Number* zl, Number* zu, Index m,
+                          bool init_lambda, Number* lambda) override {
     std::copy(start_.x.data(), start_.x.data() + n, x);
     if (zl != nullptr) std::fill(zl, zl + n, 0.0);
     if (zu != nullptr) std::fill(zu, zu + n, 0.0);
@@ -61,7 +71,9 @@ class Adapter : public Ipopt::TNLP {
     return true;
   }
 
-  bool eval_f(Index n, const Number* x, bool, Number& f) override { return program_.objective(view(x, n), f); }
+  bool eval_f(Index n, const Number* x, bool, Number& f) override {
+    return program_.objective(view(x, n), f);
+  }
 
   bool eval_grad_f(Index n, const Number* x, bool, Number* g) override {
     VectorXd values(n);
@@ -77,7 +89,8 @@ class Adapter : public Ipopt::TNLP {
     return true;
   }
 
-  bool eval_jac_g(Index n, const Number* x, bool, Index, Index nnz, Index* rows, Index* cols, Number* out) override {
+  bool eval_jac_g(Index n, const Number* x, bool, Index, Index nnz, Index* rows, Index* cols,
+                  Number* out) override {
     if (out == nullptr) return positions(jacobian_, rows, cols);
     VectorXd values(nnz);
     program_.jacobian(view(x, n), values);
@@ -85,8 +98,8 @@ class Adapter : public Ipopt::TNLP {
     return true;
   }
 
-  bool eval_h(Index n, const Number* x, bool, Number weight, Index m, const Number* lambda, bool, Index nnz,
-              Index* rows, Index* cols, Number* out) override {
+  bool eval_h(Index n, const Number* x, bool, Number weight, Index m, const Number* lambda, bool,
+              Index nnz, Index* rows, Index* cols, Number* out) override {
     if (out == nullptr) return positions(hessian_, rows, cols);
     VectorXd values(nnz);
     if (!program_.hessian(view(x, n), weight, view(lambda, m), values)) return false;
@@ -94,15 +107,17 @@ class Adapter : public Ipopt::TNLP {
     return true;
   }
 
-  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*, const Number*, Index m,
-                         const Number*, const Number* lambda, Number, const Ipopt::IpoptData*,
-                         Ipopt::IpoptCalculatedQuantities*) override {
+  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*,
+                         const Number*, Index m, const Number*, const Number* lambda, Number,
+                         const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
     answer_.x = view(x, n);
     answer_.multipliers = view(lambda, m);
   }
 
  private:
-  static VectorXd view(const Number* values, Index n) { return Eigen::Map<const VectorXd>(values, n); }
+  static VectorXd view(const Number* values, Index n) {
+    return Eigen::Map<const VectorXd>(values, n);
+  }
 
   static bool positions(const Positions& from, Index* rows, Index* cols) {
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -124,7 +139,8 @@ struct IpoptSolver::Implementation {
   Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
 };
 
-IpoptSolver::IpoptSolver(double tolerance, int max_iterations) : implementation_(new Implementation) {
+IpoptSolver::IpoptSolver(double tolerance, int max_iterations)
+    : implementation_(new Implementation) {
   const auto options = implementation_->application->Options();
   options->SetIntegerValue("print_level", 0);
   options->SetStringValue("sb", "yes");
@@ -147,7 +163,8 @@ SolverAnswer IpoptSolver::solve(SmoothProgram& program, const SolverStart& start
   application.Options()->SetStringValue("warm_start_init_point", warm ? "yes" : "no");
   const Ipopt::SmartPtr<Ipopt::TNLP> adapter = new Adapter(program, start, answer);
   answer.status = statusOf(application.OptimizeTNLP(adapter));
-  if (Ipopt::IsValid(application.Statistics())) answer.iterations = application.Statistics()->IterationCount();
+  if (Ipopt::IsValid(application.Statistics()))
+    answer.iterations = application.Statistics()->IterationCount();
   if (answer.x.size() > 0 && !answer.x.allFinite()) answer.x.resize(0);
   if (answer.x.size() == 0) answer.status = SolverStatus::kFailed;
   return answer;

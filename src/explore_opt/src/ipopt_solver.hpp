@@ -22,7 +22,8 @@ struct SolverStart {
   Eigen::VectorXd multipliers;  ///< empty: estimated by least squares
 };
 
-/// Ipopt with MUMPS, silent, reading no options file. Setting up costs a millisecond: keep it for many solves.
+/// Ipopt with MUMPS, silent, reading no options file. Setting up costs a millisecond: keep it for
+/// many solves.
 class IpoptSolver {
  public:
   /// @throws quad_support::EnvironmentError if Ipopt cannot be set up

@@ -24,7 +24,8 @@ class RepeatedKeys {
   bool operator()(int, json::parse_event_t event, json& parsed) {
     if (event == json::parse_event_t::object_start) open_.emplace_back();
     if (event == json::parse_event_t::object_end) open_.pop_back();
-    if (event == json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second) {
+    if (event == json::parse_event_t::key &&
+        !open_.back().insert(parsed.get<std::string>()).second) {
       throw ConfigError(fmt::format("{}: key {} is given twice", source_, parsed.dump()));
     }
     return true;
@@ -36,7 +37,8 @@ class RepeatedKeys {
 };
 
 bool isFlat(const ordered_json& value) {
-  return value.is_array() && std::none_of(value.begin(), value.end(), [](const auto& v) { return v.is_structured(); });
+  return value.is_array() &&
+         std::none_of(value.begin(), value.end(), [](const auto& v) { return v.is_structured(); });
 }
 
 void print(const ordered_json& value, const std::string& indent, std::string& out) {
@@ -68,17 +70,21 @@ json parseJson(const std::string& text, const std::string& source) {
 }
 
 Eigen::MatrixXd matrixFromJson(const json& rows, const std::string& name) {
-  const bool shaped = rows.is_array() && !rows.empty() && rows.front().is_array() && !rows.front().empty();
-  if (!shaped) throw ConfigError(fmt::format("{} = {}; must be a list of rows, [[...], ...]", name, rows.dump()));
+  const bool shaped =
+      rows.is_array() && !rows.empty() && rows.front().is_array() && !rows.front().empty();
+  if (!shaped)
+    throw ConfigError(
+        fmt::format("{} = {}; must be a list of rows, [[...], ...]", name, rows.dump()));
   Eigen::MatrixXd m(rows.size(), rows.front().size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!rows[i].is_array() || rows[i].size() != rows.front().size()) {
-      throw ConfigError(fmt::format("{}: row {} is {}; must have {} numbers like the first", name, i + 1,
-                                    rows[i].dump(), rows.front().size()));
+      throw ConfigError(fmt::format("{}: row {} is {}; must have {} numbers like the first", name,
+                                    i + 1, rows[i].dump(), rows.front().size()));
     }
     for (std::size_t j = 0; j < rows[i].size(); ++j) {
       if (!rows[i][j].is_number()) {
-        throw ConfigError(fmt::format("{}: row {} holds {}; must hold numbers", name, i + 1, rows[i][j].dump()));
+        throw ConfigError(
+            fmt::format("{}: row {} holds {}; must hold numbers", name, i + 1, rows[i][j].dump()));
       }
       m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = rows[i][j].get<double>();
     }

@@ -7,10 +7,12 @@
 
 namespace explore_opt {
 
-/// @throws quad_support::ConfigError naming source: not JSON (with the position), a key given twice in an object
+/// @throws quad_support::ConfigError naming source: not JSON (with the position), a key given twice
+/// in an object
 nlohmann::json parseJson(const std::string& text, const std::string& source);
 
-/// @param name  source and key, for messages   @throws quad_support::ConfigError: not a list of rows of equal length
+/// @param name  source and key, for messages   @throws quad_support::ConfigError: not a list of
+/// rows of equal length
 Eigen::MatrixXd matrixFromJson(const nlohmann::json& rows, const std::string& name);
 
 nlohmann::ordered_json matrixToJson(const Eigen::MatrixXd& m);

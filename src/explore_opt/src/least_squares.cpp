@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kLargestCondition = 1e10;
 
-/// Column lengths, one where a column is zero, so that dividing by them is safe and a zero column stays visible.
+/// Column lengths, one where a column is zero, so that dividing by them is safe and a zero column
+/// stays visible.
 Eigen::VectorXd columnScales(const Eigen::MatrixXd& m) {
   Eigen::VectorXd scales = m.colwise().norm();
   for (double& s : scales) s = s > 0.0 ? s : 1.0;
@@ -28,7 +29,9 @@ double conditionOf(const Eigen::VectorXd& singular_values) {
 LeastSquaresFit fitLeastSquares(const Eigen::MatrixXd& X, const Eigen::MatrixXd& U) {
   requireTrajectory(X, U);
   const Eigen::Index T = U.cols(), n = X.rows() + U.rows();
-  require(T >= n, "{} samples for {} regressors (states and inputs); at least as many samples are needed", T, n);
+  require(T >= n,
+          "{} samples for {} regressors (states and inputs); at least as many samples are needed",
+          T, n);
 
   Eigen::MatrixXd regressor(T, n);  // Φᵀ
   regressor << X.leftCols(T).transpose(), U.transpose();

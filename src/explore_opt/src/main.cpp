@@ -7,7 +7,8 @@
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app("Targeted exploration of linear systems under energy-bounded disturbances", "explore_opt");
+  CLI::App app("Targeted exploration of linear systems under energy-bounded disturbances",
+               "explore_opt");
   app.require_subcommand(1);
   app.footer("explore_opt design --help and explore_opt identify --help show an example each.");
   const auto design = explore_opt::addDesignCommand(app);

@@ -53,13 +53,15 @@ MatrixXd stackedResponses(const ExplorationProblem& problem) {
   MatrixXd stacked(signals.cols(), signals.rows() * nu * n);
   for (Index i = 0; i < signals.rows(); ++i) {
     for (int j = 0; j < nu; ++j) {
-      stacked.middleCols((i * nu + j) * n, n) = responseTo(problem, signals.row(i).transpose(), j).transpose();
+      stacked.middleCols((i * nu + j) * n, n) =
+          responseTo(problem, signals.row(i).transpose(), j).transpose();
     }
   }
   return stacked;
 }
 
-/// Upper triangle of a QR with the same products of columns; the matrix itself if it has fewer rows than columns.
+/// Upper triangle of a QR with the same products of columns; the matrix itself if it has fewer rows
+/// than columns.
 MatrixXd triangle(MatrixXd stacked) {
   if (stacked.rows() <= stacked.cols()) return stacked;
   const Index n = stacked.cols();
@@ -86,14 +88,17 @@ void validate(const ExplorationProblem& problem) {
   if (problem.x0.size() > 0) {
     requireShape(problem.x0, nx, 1, "x0");
     requireFinite(problem.x0, "x0");
-    require(problem.x0.isZero(0.0), "x0 is not zero; a start away from rest is not solved yet. Measure states relative "
-                                    "to the start of the experiment");
+    require(problem.x0.isZero(0.0),
+            "x0 is not zero; a start away from rest is not solved yet. Measure states relative "
+            "to the start of the experiment");
   }
   requireShape(problem.D_des, problem.D_des.rows(), problem.D_des.rows(), "D_des");
-  const MatrixXd D = fullCloseness(problem.D_des, problem.numStates(), problem.numRegressors());  // checks the shape
+  const MatrixXd D = fullCloseness(problem.D_des, problem.numStates(),
+                                   problem.numRegressors());  // checks the shape
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(D, Eigen::EigenvaluesOnly);
   const double least = eigen.eigenvalues()(0), largest = eigen.eigenvalues()(D.rows() - 1);
-  require(least > 1e-14 * largest, "D_des has the eigenvalue {}; all must be above 0 (the largest is {})", least, largest);
+  require(least > 1e-14 * largest,
+          "D_des has the eigenvalue {}; all must be above 0 (the largest is {})", least, largest);
 }
 
 MatrixXd PredictedResponse::factor(const VectorXd& a) const {
@@ -128,8 +133,8 @@ MatrixXd PredictedResponse::gramOf(const MatrixXd& Z) const {
 
 MatrixXd unitResponse(const ExplorationProblem& problem, int component) {
   validate(problem);
-  require(component >= 0 && component < problem.numAmplitudes(), "component {}; must lie in 0..{}", component,
-          problem.numAmplitudes() - 1);
+  require(component >= 0 && component < problem.numAmplitudes(), "component {}; must lie in 0..{}",
+          component, problem.numAmplitudes() - 1);
   const MatrixXd signals = carriers(problem.lines, problem.phase);
   return responseTo(problem, signals.row(component / problem.numInputs()).transpose(),
                     component % problem.numInputs());
@@ -142,8 +147,10 @@ MatrixXd closenessInverseRoot(const ExplorationProblem& problem) {
 PredictedResponse predictResponse(const ExplorationProblem& problem) {
   validate(problem);
   const MatrixXd stacked = triangle(stackedResponses(problem));
-  require(stacked.allFinite(), "the predicted response overflows: A grows too fast for T = {}. Stabilise with K or "
-                               "shorten T", problem.lines.num_samples);
+  require(stacked.allFinite(),
+          "the predicted response overflows: A grows too fast for T = {}. Stabilise with K or "
+          "shorten T",
+          problem.lines.num_samples);
   const MatrixXd root = closenessInverseRoot(problem);
   const Index n = problem.numRegressors();
   const bool kronecker = root.rows() == n;
@@ -151,8 +158,9 @@ PredictedResponse predictResponse(const ExplorationProblem& problem) {
   for (int a = 0; a < problem.numAmplitudes(); ++a) {
     const MatrixXd block = stacked.middleCols(a * n, n);
     const MatrixXd identity = MatrixXd::Identity(problem.numStates(), problem.numStates());
-    response.factors.push_back(kronecker ? MatrixXd(block * root)
-                                         : MatrixXd(Eigen::kroneckerProduct(block, identity).eval() * root));
+    response.factors.push_back(
+        kronecker ? MatrixXd(block * root)
+                  : MatrixXd(Eigen::kroneckerProduct(block, identity).eval() * root));
   }
   return response;
 }

@@ -15,8 +15,9 @@ QuadraticProgram::QuadraticProgram(const PredictedResponse& response, double gam
     : p_(response.numAmplitudes()), scale_(reference.norm()) {
   const Eigen::MatrixXd N = response.information(reference);
   const Eigen::VectorXd diagonal = N.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd slack =
-      diagonal.asDiagonal() * (N - gamma_w * Eigen::MatrixXd::Identity(N.rows(), N.cols())) * diagonal.asDiagonal();
+  const Eigen::MatrixXd slack = diagonal.asDiagonal() *
+                                (N - gamma_w * Eigen::MatrixXd::Identity(N.rows(), N.cols())) *
+                                diagonal.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric(slack));
   C_ = diagonal.asDiagonal() * eigen.eigenvectors().rowwise().reverse();
   R_ = symmetric(gamma_w * C_.transpose() * C_);
@@ -26,7 +27,8 @@ QuadraticProgram::QuadraticProgram(const PredictedResponse& response, double gam
   S_.resize(static_cast<std::size_t>(p_) * static_cast<std::size_t>(p_));
   for (int a = 0; a < p_; ++a) {
     for (int b = 0; b <= a; ++b) {
-      const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b), n = static_cast<std::size_t>(p_);
+      const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b),
+                 n = static_cast<std::size_t>(p_);
       S_[i * n + j] = S_[j * n + i] = symmetric(factors[i].transpose() * factors[j]);
     }
   }

@@ -8,14 +8,17 @@
 
 namespace explore_opt {
 
-/// The design problem after a change of coordinates a = s â, N̂ = Cᵀ N C (which keeps the order of matrices).
+/// The design problem after a change of coordinates a = s â, N̂ = Cᵀ N C (which keeps the order of
+/// matrices).
 ///
-/// C makes N̂ of the reference amplitudes ã have a unit diagonal (integrators spread it over six decades) and turns
-/// N̂(ã) - R̂ diagonal, largest entry first, so that the direction in which the constraint is active comes last.
+/// C makes N̂ of the reference amplitudes ã have a unit diagonal (integrators spread it over six
+/// decades) and turns N̂(ã) - R̂ diagonal, largest entry first, so that the direction in which the
+/// constraint is active comes last.
 class QuadraticProgram {
  public:
   /// @param reference  ã with N(ã) ≻ 0, scaled to the boundary λ_min(N(ã)) = γ_w
-  QuadraticProgram(const PredictedResponse& response, double gamma_w, const Eigen::VectorXd& reference);
+  QuadraticProgram(const PredictedResponse& response, double gamma_w,
+                   const Eigen::VectorXd& reference);
 
   int numAmplitudes() const { return p_; }
   int size() const { return static_cast<int>(R_.rows()); }
@@ -28,7 +31,8 @@ class QuadraticProgram {
 
   Eigen::VectorXd toScaled(const Eigen::VectorXd& amplitudes) const { return amplitudes / scale_; }
   Eigen::VectorXd toAmplitudes(const Eigen::VectorXd& a) const { return scale_ * a; }
-  Eigen::MatrixXd toCertificate(const Eigen::MatrixXd& Z) const;    ///< multiplier of the original constraint
+  /// Multiplier of the original constraint
+  Eigen::MatrixXd toCertificate(const Eigen::MatrixXd& Z) const;
   Eigen::MatrixXd fromCertificate(const Eigen::MatrixXd& Z) const;  ///< and back
 
  private:

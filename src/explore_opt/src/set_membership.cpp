@@ -31,7 +31,8 @@ double largestRatio(const Eigen::MatrixXd& closeness, const Eigen::MatrixXd& roo
 void requireSymmetric(const Eigen::MatrixXd& D) {
   requireFinite(D, "D");
   const double asymmetry = (D - D.transpose()).cwiseAbs().maxCoeff();
-  require(asymmetry <= 1e-12 * D.cwiseAbs().maxCoeff(), "D is not symmetric: entries differ by up to {}", asymmetry);
+  require(asymmetry <= 1e-12 * D.cwiseAbs().maxCoeff(),
+          "D is not symmetric: entries differ by up to {}", asymmetry);
 }
 
 }  // namespace
@@ -43,14 +44,16 @@ std::optional<double> FeasibleSet::lambdaBound() const {
 
 FeasibleSet feasibleSet(const LeastSquaresFit& fit, double gamma_w) {
   requirePositive(gamma_w, "gamma_w");
-  require(fit.exciting, "the data do not determine the parameters (condition {:.3g}); there is no bounded set",
+  require(fit.exciting,
+          "the data do not determine the parameters (condition {:.3g}); there is no bounded set",
           fit.condition);
   FeasibleSet set;
   set.center = fit.Theta;
   set.root = fit.root;
   set.gamma_w = gamma_w;
-  // Eq. (1.8): G = γ_w + |θ̂|²_{P⁻¹} - Σ|x_{k+1}|². For the least-squares estimate this is γ_w - |residual|²; the
-  // printed form subtracts numbers of the size of Σ|x|² and loses all digits of a falling vehicle.
+  // Eq. (1.8): G = γ_w + |θ̂|²_{P⁻¹} - Σ|x_{k+1}|². For the least-squares estimate this is γ_w -
+  // |residual|²; the printed form subtracts numbers of the size of Σ|x|² and loses all digits of a
+  // falling vehicle.
   set.G = gamma_w - fit.residual_energy;
   const double sigma = Eigen::JacobiSVD<Eigen::MatrixXd>(fit.root).singularValues().tail(1)(0);
   set.lambda_min_S = sigma * sigma;
@@ -66,12 +69,15 @@ bool contains(const FeasibleSet& set, const Eigen::MatrixXd& Theta) {
   return !set.falsified() && distance(set, Theta) <= set.G + 1e-10 * set.gamma_w;
 }
 
-Eigen::MatrixXd fullCloseness(const Eigen::MatrixXd& closeness, int num_states, int num_regressors) {
+Eigen::MatrixXd fullCloseness(const Eigen::MatrixXd& closeness, int num_states,
+                              int num_regressors) {
   const Eigen::Index n = num_states * num_regressors;
   requireSymmetric(closeness);
   if (closeness.size() == 1) return closeness(0, 0) * identity(n);
-  if (closeness.rows() == num_regressors) return Eigen::kroneckerProduct(closeness, identity(num_states)).eval();
-  require(closeness.rows() == n, "D is {0} x {0}; must be a number, {1} x {1} (meaning D ⊗ I) or {2} x {2}",
+  if (closeness.rows() == num_regressors)
+    return Eigen::kroneckerProduct(closeness, identity(num_states)).eval();
+  require(closeness.rows() == n,
+          "D is {0} x {0}; must be a number, {1} x {1} (meaning D ⊗ I) or {2} x {2}",
           closeness.rows(), num_regressors, n);
   return closeness;
 }
@@ -83,7 +89,8 @@ double informationMargin(const FeasibleSet& set, const Eigen::MatrixXd& closenes
     return lambda > 0.0 ? set.lambda_min_S / lambda : kInfinity;
   }
   if (closeness.rows() == n) return largestRadius(set.root, closeness);
-  return largestRadius(Eigen::kroneckerProduct(set.root, identity(nx)).eval(), fullCloseness(closeness, nx, n));
+  return largestRadius(Eigen::kroneckerProduct(set.root, identity(nx)).eval(),
+                       fullCloseness(closeness, nx, n));
 }
 
 double largestRadius(const Eigen::MatrixXd& root, const Eigen::MatrixXd& closeness) {
@@ -97,11 +104,12 @@ bool explorationCondition(const FeasibleSet& set, const Eigen::MatrixXd& closene
   return !set.falsified() && informationMargin(set, closeness) >= set.G;
 }
 
-double explorationObjective(const Eigen::MatrixXd& theta_true, const Eigen::MatrixXd& theta_estimate,
+double explorationObjective(const Eigen::MatrixXd& theta_true,
+                            const Eigen::MatrixXd& theta_estimate,
                             const Eigen::MatrixXd& closeness) {
   requireShape(theta_estimate, theta_true.rows(), theta_true.cols(), "estimated Theta");
-  const Eigen::MatrixXd D =
-      fullCloseness(closeness, static_cast<int>(theta_true.rows()), static_cast<int>(theta_true.cols()));
+  const Eigen::MatrixXd D = fullCloseness(closeness, static_cast<int>(theta_true.rows()),
+                                          static_cast<int>(theta_true.cols()));
   const Eigen::MatrixXd difference = theta_true - theta_estimate;
   const Eigen::Map<const Eigen::VectorXd> e(difference.data(), difference.size());
   return e.dot(D * e);
@@ -112,12 +120,13 @@ double closenessOfFit(const Eigen::MatrixXd& theta_true, const Eigen::MatrixXd& 
   return 1.0 / (theta_true - theta_estimate).squaredNorm();
 }
 
-ClosenessChain judgeChain(const FeasibleSet& set, const Eigen::MatrixXd& theta_true, const Eigen::MatrixXd& desired,
-                          const Eigen::MatrixXd& initial) {
+ClosenessChain judgeChain(const FeasibleSet& set, const Eigen::MatrixXd& theta_true,
+                          const Eigen::MatrixXd& desired, const Eigen::MatrixXd& initial) {
   const auto nx = static_cast<int>(set.center.rows()), n = static_cast<int>(set.center.cols());
   const Eigen::MatrixXd D = fullCloseness(desired, nx, n), D0 = fullCloseness(initial, nx, n);
   ClosenessChain chain;
-  chain.truth_within_bound = contains(set, theta_true);  // e eᵀ ⪯ M and eᵀ M⁻¹ e <= 1 say the same for M ≻ 0
+  chain.truth_within_bound =
+      contains(set, theta_true);  // e eᵀ ⪯ M and eᵀ M⁻¹ e <= 1 say the same for M ≻ 0
   chain.bound_within_desired = explorationCondition(set, desired);
   chain.desired_within_initial = smallestEigenvalue(D - D0) >= -1e-12 * D.cwiseAbs().maxCoeff();
   return chain;

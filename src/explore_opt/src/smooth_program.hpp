@@ -7,9 +7,11 @@
 
 namespace explore_opt {
 
-using Positions = std::vector<std::pair<int, int>>;  ///< (row, column) of the entries that may be nonzero
+/// (row, column) of the entries that may be nonzero
+using Positions = std::vector<std::pair<int, int>>;
 
-/// Values are asked for in the order of the positions. `false` from f or its gradient means "outside the domain".
+/// Values are asked for in the order of the positions. `false` from f or its gradient means
+/// "outside the domain".
 class SmoothProgram {
  public:
   virtual ~SmoothProgram() = default;

@@ -34,12 +34,14 @@ std::vector<Entry> freeEntries(const MatrixXd& known) {
 }
 
 /// Rows of (φ_kᵀ ⊗ I) E for all k, columns divided by `scales`.
-Sparse regressor(const MatrixXd& phi, Index nx, const std::vector<Entry>& entries, const VectorXd& scales) {
+Sparse regressor(const MatrixXd& phi, Index nx, const std::vector<Entry>& entries,
+                 const VectorXd& scales) {
   std::vector<Eigen::Triplet<double>> triplets;
   for (std::size_t e = 0; e < entries.size(); ++e) {
     const auto column = static_cast<Index>(e);
     for (Index k = 0; k < phi.cols(); ++k) {
-      triplets.emplace_back(k * nx + entries[e].row, column, phi(entries[e].column, k) / scales(column));
+      triplets.emplace_back(k * nx + entries[e].row, column,
+                            phi(entries[e].column, k) / scales(column));
     }
   }
   Sparse matrix(phi.cols() * nx, static_cast<Index>(entries.size()));
@@ -85,7 +87,8 @@ StructuredFit fitStructured(const MatrixXd& X, const MatrixXd& U, const MatrixXd
   const MatrixXd scaled_root = rootOf(qr, n);
   fit.singular_values = Eigen::JacobiSVD<MatrixXd>(scaled_root).singularValues();
   const double least = fit.singular_values(n - 1);
-  fit.condition = least > 0.0 ? fit.singular_values(0) / least : std::numeric_limits<double>::infinity();
+  fit.condition =
+      least > 0.0 ? fit.singular_values(0) / least : std::numeric_limits<double>::infinity();
   fit.exciting = fit.condition <= kLargestCondition;
   fit.root = scaled_root * scales.asDiagonal();
   fit.information = fit.root.transpose() * fit.root;
@@ -93,7 +96,8 @@ StructuredFit fitStructured(const MatrixXd& X, const MatrixXd& U, const MatrixXd
 
   fit.Theta = known.unaryExpr([](double v) { return std::isnan(v) ? 0.0 : v; });
   const MatrixXd target = X.rightCols(T) - fit.Theta * phi;  // x_{k+1} - (φ_kᵀ ⊗ I) c
-  const VectorXd solution = qr.solve(VectorXd(Eigen::Map<const VectorXd>(target.data(), target.size())));
+  const VectorXd solution =
+      qr.solve(VectorXd(Eigen::Map<const VectorXd>(target.data(), target.size())));
   for (Index e = 0; e < n; ++e) {
     const Entry at = fit.free[static_cast<std::size_t>(e)];
     fit.Theta(at.row, at.column) = solution(e) / scales(e);
@@ -104,12 +108,14 @@ StructuredFit fitStructured(const MatrixXd& X, const MatrixXd& U, const MatrixXd
 
 MatrixXd restrictCloseness(const MatrixXd& closeness, const StructuredFit& fit) {
   const auto nx = fit.Theta.rows();
-  const MatrixXd full = fullCloseness(closeness, static_cast<int>(nx), static_cast<int>(fit.Theta.cols()));
+  const MatrixXd full =
+      fullCloseness(closeness, static_cast<int>(nx), static_cast<int>(fit.Theta.cols()));
   const auto n = static_cast<Index>(fit.free.size());
   MatrixXd restricted(n, n);
   for (Index a = 0; a < n; ++a) {
     for (Index b = 0; b < n; ++b) {
-      const Entry i = fit.free[static_cast<std::size_t>(a)], j = fit.free[static_cast<std::size_t>(b)];
+      const Entry i = fit.free[static_cast<std::size_t>(a)],
+                  j = fit.free[static_cast<std::size_t>(b)];
       restricted(a, b) = full(i.column * nx + i.row, j.column * nx + j.row);
     }
   }

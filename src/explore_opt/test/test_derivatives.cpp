@@ -8,19 +8,21 @@
 #include "thesis_problem.hpp"
 
 using namespace explore_opt;
-using explore_opt::testing::randomMatrix;
-using explore_opt::testing::thesisProblem;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using explore_opt::testing::randomMatrix;
+using explore_opt::testing::thesisProblem;
 
 namespace {
 
-// Central differences err by h² f'''/6 + eps f/h, least at h = eps^(1/3) = 6e-6: about 4e-11 of the third derivatives,
-// which are of order 1 to 100 in these coordinates. Second derivatives are differences of exact gradients.
+// Central differences err by h² f'''/6 + eps f/h, least at h = eps^(1/3) = 6e-6: about 4e-11 of the
+// third derivatives, which are of order 1 to 100 in these coordinates. Second derivatives are
+// differences of exact gradients.
 constexpr double kStep = 6e-6;
 constexpr double kTolerance = 1e-7;
 
-MatrixXd denseFrom(const Positions& positions, const VectorXd& values, int rows, int cols, bool symmetric) {
+MatrixXd denseFrom(const Positions& positions, const VectorXd& values, int rows, int cols,
+                   bool symmetric) {
   EXPECT_EQ(positions.size(), static_cast<std::size_t>(values.size()));
   MatrixXd dense = MatrixXd::Zero(rows, cols);
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -32,17 +34,22 @@ MatrixXd denseFrom(const Positions& positions, const VectorXd& values, int rows,
 }
 
 /// Gradient of weight f + λᵀ c at x.
-VectorXd lagrangianGradient(SmoothProgram& program, const VectorXd& x, double weight, const VectorXd& lambda) {
+VectorXd lagrangianGradient(SmoothProgram& program, const VectorXd& x, double weight,
+                            const VectorXd& lambda) {
   VectorXd g(x.size());
   EXPECT_TRUE(program.gradient(x, g));
   g *= weight;
   const Positions positions = program.jacobianPositions();
   VectorXd values(positions.size());
   program.jacobian(x, values);
-  return g + denseFrom(positions, values, program.numConstraints(), static_cast<int>(x.size()), false).transpose() * lambda;
+  return g +
+         denseFrom(positions, values, program.numConstraints(), static_cast<int>(x.size()), false)
+                 .transpose() *
+             lambda;
 }
 
-double lagrangian(SmoothProgram& program, const VectorXd& x, double weight, const VectorXd& lambda) {
+double lagrangian(SmoothProgram& program, const VectorXd& x, double weight,
+                  const VectorXd& lambda) {
   double f = 0.0;
   EXPECT_TRUE(program.objective(x, f));
   VectorXd c(program.numConstraints());
@@ -50,7 +57,8 @@ double lagrangian(SmoothProgram& program, const VectorXd& x, double weight, cons
   return weight * f + lambda.dot(c);
 }
 
-void checkDerivatives(SmoothProgram& program, const VectorXd& x, double weight, const VectorXd& lambda) {
+void checkDerivatives(SmoothProgram& program, const VectorXd& x, double weight,
+                      const VectorXd& lambda) {
   const VectorXd gradient = lagrangianGradient(program, x, weight, lambda);
   const Positions positions = program.hessianPositions();
   for (const auto& [r, c] : positions) EXPECT_GE(r, c);  // lower triangle
@@ -59,12 +67,17 @@ void checkDerivatives(SmoothProgram& program, const VectorXd& x, double weight, 
   const int n = static_cast<int>(x.size());
   const MatrixXd hessian = denseFrom(positions, values, n, n, true);
   for (int i = 0; i < n; ++i) {
-    const VectorXd plus = x + kStep * VectorXd::Unit(n, i), minus = x - kStep * VectorXd::Unit(n, i);
-    const double slope = (lagrangian(program, plus, weight, lambda) - lagrangian(program, minus, weight, lambda)) / (2 * kStep);
+    const VectorXd plus = x + kStep * VectorXd::Unit(n, i),
+                   minus = x - kStep * VectorXd::Unit(n, i);
+    const double slope =
+        (lagrangian(program, plus, weight, lambda) - lagrangian(program, minus, weight, lambda)) /
+        (2 * kStep);
     EXPECT_NEAR(gradient(i), slope, kTolerance * (1.0 + gradient.norm())) << "gradient " << i;
     const VectorXd column = (lagrangianGradient(program, plus, weight, lambda) -
-                             lagrangianGradient(program, minus, weight, lambda)) / (2 * kStep);
-    EXPECT_LT((hessian.col(i) - column).norm(), kTolerance * (1.0 + hessian.norm())) << "Hessian " << i;
+                             lagrangianGradient(program, minus, weight, lambda)) /
+                            (2 * kStep);
+    EXPECT_LT((hessian.col(i) - column).norm(), kTolerance * (1.0 + hessian.norm()))
+        << "Hessian " << i;
   }
 }
 
@@ -99,13 +112,18 @@ TEST(QuadraticProgram, IsTheSameProblemInOtherCoordinates) {
     const MatrixXd Z0 = randomMatrix(1, 1, n, n), Z = Z0 * Z0.transpose();
     const VectorXd scaled = s.program.toScaled(a);
     EXPECT_LT((s.program.toAmplitudes(scaled) - a).norm(), 1e-14 * a.norm());
-    // tr Ẑ(N̂ - R̂) · s² = tr Z (N - γ_w I): the Lagrangian is the same number. Congruences of condition 1e3 round.
+    // tr Ẑ(N̂ - R̂) · s² = tr Z (N - γ_w I): the Lagrangian is the same number. Congruences of
+    // condition 1e3 round.
     const double hat = Z.cwiseProduct(s.program.N(scaled) - s.program.rightSide()).sum();
     const MatrixXd original = s.program.toCertificate(Z);
-    const double plain = original.cwiseProduct(s.task.response.information(a) - s.task.gamma_w * MatrixXd::Identity(n, n)).sum();
+    const double plain = original
+                             .cwiseProduct(s.task.response.information(a) -
+                                           s.task.gamma_w * MatrixXd::Identity(n, n))
+                             .sum();
     EXPECT_NEAR(plain, hat * s.reference.squaredNorm(), 1e-9 * std::abs(plain));
     EXPECT_LT((s.program.fromCertificate(original) - Z).norm(), 1e-9 * Z.norm());
-    EXPECT_NEAR(scaled.dot(s.program.H(Z) * scaled), Z.cwiseProduct(s.program.N(scaled)).sum(), 1e-11 * Z.norm() * p);
+    EXPECT_NEAR(scaled.dot(s.program.H(Z) * scaled), Z.cwiseProduct(s.program.N(scaled)).sum(),
+                1e-11 * Z.norm() * p);
     // The reference has unit cost, sits on the boundary, and its slack is diagonal.
     MatrixXd slack = s.program.N(s.program.toScaled(s.reference)) - s.program.rightSide();
     EXPECT_NEAR(slack(n - 1, n - 1), 0.0, 1e-10);
@@ -150,7 +168,8 @@ TEST(BarrierProgram, Derivatives) {
     const VectorXd candidate = s.program.toScaled(s.reference);
     BarrierProgram program(s.program, candidate);
     program.setWeight(0.03);
-    const VectorXd a = 1.4 * candidate + 0.01 * randomMatrix(seed, 4, static_cast<int>(candidate.size()), 1);
+    const VectorXd a =
+        1.4 * candidate + 0.01 * randomMatrix(seed, 4, static_cast<int>(candidate.size()), 1);
     checkDerivatives(program, a, 1.3, VectorXd());
   }
 }
@@ -160,7 +179,8 @@ TEST(BarrierProgram, RelaxationLiesBelowAndTouches) {
     const Scaled s(problem, 21);
     const VectorXd candidate = s.program.toScaled(s.reference);
     const BarrierProgram program(s.program, candidate);
-    EXPECT_LT((program.slack(candidate) - (s.program.N(candidate) - s.program.rightSide())).norm(), 1e-12);
+    EXPECT_LT((program.slack(candidate) - (s.program.N(candidate) - s.program.rightSide())).norm(),
+              1e-12);
     for (std::uint64_t i = 0; i < 20; ++i) {
       const VectorXd a = randomDirection(s.task, 22, i);
       const MatrixXd above = s.program.N(a) - s.program.rightSide() - program.slack(a);
@@ -196,7 +216,8 @@ TEST(DualBarrier, Derivatives) {
     const MatrixXd hessian = root.transpose() * root;
     for (int i = 0; i < m; ++i) {
       const double h = kStep * scale;  // Z is of that size
-      const MatrixXd plus = barrier.matrix(z + h * VectorXd::Unit(m, i)), minus = barrier.matrix(z - h * VectorXd::Unit(m, i));
+      const MatrixXd plus = barrier.matrix(z + h * VectorXd::Unit(m, i)),
+                     minus = barrier.matrix(z - h * VectorXd::Unit(m, i));
       double above = 0.0, below = 0.0;
       ASSERT_TRUE(barrier.value(plus, mu, above) && barrier.value(minus, mu, below));
       EXPECT_NEAR(gradient(i), (above - below) / (2 * h), kTolerance * gradient.norm());
@@ -204,7 +225,8 @@ TEST(DualBarrier, Derivatives) {
       MatrixXd ignored;
       barrier.gradientAndRoot(plus, mu, gradient_above, ignored);
       barrier.gradientAndRoot(minus, mu, gradient_below, ignored);
-      EXPECT_LT((hessian.col(i) - (gradient_above - gradient_below) / (2 * h)).norm(), kTolerance * hessian.norm());
+      EXPECT_LT((hessian.col(i) - (gradient_above - gradient_below) / (2 * h)).norm(),
+                kTolerance * hessian.norm());
     }
   }
 }
@@ -217,13 +239,14 @@ TEST(DualSolution, PrimalAndDualMeet) {
     EXPECT_GT(explore_opt::testing::smallestEigenvalue(dual.Z), 0.0);
     const MatrixXd slack = MatrixXd::Identity(p, p) - 2.0 * s.program.H(dual.Z);
     EXPECT_GT(explore_opt::testing::smallestEigenvalue(slack), 0.0);
-    // The lifted matrix satisfies Σ 𝒜_ab S_ab ⪰ R, and ½ tr 𝒜 - tr R Z = (n + p) μ. It is the inverse of a slack of
-    // size 1e-7 known to 1e-15, so it has eight digits.
+    // The lifted matrix satisfies Σ 𝒜_ab S_ab ⪰ R, and ½ tr 𝒜 - tr R Z = (n + p) μ. It is the
+    // inverse of a slack of size 1e-7 known to 1e-15, so it has eight digits.
     MatrixXd lifted = MatrixXd::Zero(n, n);
     for (int a = 0; a < p; ++a) {
       for (int b = 0; b < p; ++b) lifted += dual.lifted(a, b) * s.program.S(a, b);
     }
-    EXPECT_GE(explore_opt::testing::smallestEigenvalue(lifted - s.program.rightSide()), -1e-8);  // eight digits of 1
+    EXPECT_GE(explore_opt::testing::smallestEigenvalue(lifted - s.program.rightSide()),
+              -1e-8);  // eight digits of 1
     const double gap = 0.5 * dual.lifted.trace() - s.program.rightSide().cwiseProduct(dual.Z).sum();
     EXPECT_NEAR(gap, dual.gap, 1e-8 * p);
     EXPECT_LE(dual.gap, 1.001e-6);

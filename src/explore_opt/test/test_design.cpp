@@ -8,12 +8,12 @@
 #include "thesis_problem.hpp"
 
 using namespace explore_opt;
+using Eigen::MatrixXd;
 using explore_opt::testing::auditedBound;
 using explore_opt::testing::randomMatrix;
 using explore_opt::testing::simulatedLambdaMin;
 using explore_opt::testing::simulatedRegressor;
 using explore_opt::testing::thesisProblem;
-using Eigen::MatrixXd;
 using quad_support::DataError;
 
 namespace {
@@ -21,7 +21,8 @@ namespace {
 /// Stable, two states, two inputs; lines spread over the band.
 ExplorationProblem twoInputs(std::uint64_t seed, Phase phase = Phase::kCos) {
   ExplorationProblem problem;
-  problem.A = (MatrixXd(2, 2) << 0.8, 0.2, -0.1, 0.7).finished() + 0.1 * randomMatrix(seed, 0, 2, 2);
+  problem.A =
+      (MatrixXd(2, 2) << 0.8, 0.2, -0.1, 0.7).finished() + 0.1 * randomMatrix(seed, 0, 2, 2);
   problem.B = randomMatrix(seed, 1, 2, 2);
   problem.lines = {100, {2, 7, 13, 24}, {}};
   problem.phase = phase;
@@ -37,8 +38,10 @@ void audit(const ExplorationProblem& problem, const DesignResult& result) {
   // Eigenvalues of N round to 1e-16 of the largest, which is up to 1e6 times the smallest.
   EXPECT_GE(result.lambda_min, 1.0 - 1e-12);
   EXPECT_NEAR(simulatedLambdaMin(problem, result.amplitudes), result.lambda_min, 1e-8);
-  EXPECT_GE(explore_opt::testing::smallestEigenvalue(result.certificate), -1e-12 * result.certificate.trace());
-  EXPECT_NEAR(auditedBound(problem, result.certificate), result.lower_bound, 1e-8 * result.lower_bound);
+  EXPECT_GE(explore_opt::testing::smallestEigenvalue(result.certificate),
+            -1e-12 * result.certificate.trace());
+  EXPECT_NEAR(auditedBound(problem, result.certificate), result.lower_bound,
+              1e-8 * result.lower_bound);
   EXPECT_LE(result.lower_bound, result.gamma_e);
   EXPECT_NEAR(result.gap, 1.0 - result.lower_bound / result.gamma_e, 1e-15);
   EXPECT_GT(result.amplitudes.maxCoeff(), 0.0);
@@ -46,11 +49,13 @@ void audit(const ExplorationProblem& problem, const DesignResult& result) {
 }
 
 double inputBlockBound(const ExplorationProblem& problem) {  // γ_e² >= 2 γ_w tr(D_uu)/T on the grid
-  return std::sqrt(2.0 * problem.gamma_w * problem.D_des(0, 0) * problem.numInputs() / problem.lines.num_samples);
+  return std::sqrt(2.0 * problem.gamma_w * problem.D_des(0, 0) * problem.numInputs() /
+                   problem.lines.num_samples);
 }
 
 MatrixXd column(std::initializer_list<double> values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
+  return Eigen::Map<const Eigen::VectorXd>(values.begin(),
+                                           static_cast<Eigen::Index>(values.size()));
 }
 
 }  // namespace
@@ -98,7 +103,8 @@ TEST(Design, ThesisOptimaAreCertified) {
     EXPECT_LE(result.gap, 1e-8);
     audit(problem, result);
   }
-  EXPECT_NEAR(designExploration(thesisProblem(Phase::kSin)).gamma_e, 3.29, 5e-3);  // thesis section 2.4.2
+  EXPECT_NEAR(designExploration(thesisProblem(Phase::kSin)).gamma_e, 3.29,
+              5e-3);  // thesis section 2.4.2
 }
 
 TEST(Design, CosineAmplitudes) {
@@ -112,7 +118,7 @@ TEST(Design, CostsOfDirections) {
   const MatrixXd ones = MatrixXd::Ones(4, 1), thesis = column({0.04, 0.94, 1.76, -2.62});
   EXPECT_NEAR(scaledCost(sine, ones), 3.4022, 5e-5);
   EXPECT_NEAR(scaledCost(cosine, ones), 3.3602, 5e-5);
-  EXPECT_NEAR(scaledCost(sine, thesis), 3.3024, 5e-5);    // what the thesis computed was the sine
+  EXPECT_NEAR(scaledCost(sine, thesis), 3.3024, 5e-5);  // what the thesis computed was the sine
   EXPECT_NEAR(scaledCost(cosine, thesis), 4.3622, 5e-5);
   EXPECT_NEAR(scaledCost(sine, -7.0 * thesis), scaledCost(sine, thesis), 1e-12);
   EXPECT_NEAR(inputBlockBound(sine), 3.28798, 5e-6);
@@ -157,7 +163,8 @@ TEST(Design, ClosenessInThreeShapes) {
   problem.D_des = 100.0 * MatrixXd::Identity(6, 6);
   const DesignResult full = designExploration(problem);
   EXPECT_NEAR(kronecker.gamma_e, scalar.gamma_e, 1e-9 * scalar.gamma_e);
-  EXPECT_NEAR(full.gamma_e, scalar.gamma_e, 1e-7 * scalar.gamma_e);  // every eigenvalue twice: a degenerate optimum
+  EXPECT_NEAR(full.gamma_e, scalar.gamma_e,
+              1e-7 * scalar.gamma_e);  // every eigenvalue twice: a degenerate optimum
   EXPECT_LE(full.gap, 1e-6);
   audit(problem, full);
 }
@@ -188,17 +195,19 @@ TEST(Design, RandomSingleInputSystemsAreSolvedToGlobalOptimality) {
 TEST(Design, TwoInputs) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE(seed);
-    const DesignResult one = designExploration(twoInputs(seed)), both = designExploration(twoInputs(seed, Phase::kBoth));
+    const DesignResult one = designExploration(twoInputs(seed)),
+                       both = designExploration(twoInputs(seed, Phase::kBoth));
     audit(twoInputs(seed), one);
     audit(twoInputs(seed, Phase::kBoth), both);
     EXPECT_LE(one.gap, 0.08);
-    EXPECT_LE(both.gap, 1e-3);  // both phases close the gap
+    EXPECT_LE(both.gap, 1e-3);                            // both phases close the gap
     EXPECT_LE(both.gamma_e, one.gamma_e * (1.0 + 1e-9));  // more carriers cannot cost more
   }
 }
 
 TEST(Design, SameInputSameBits) {
-  const DesignResult a = designExploration(thesisProblem(Phase::kCos)), b = designExploration(thesisProblem(Phase::kCos));
+  const DesignResult a = designExploration(thesisProblem(Phase::kCos)),
+                     b = designExploration(thesisProblem(Phase::kCos));
   EXPECT_EQ(a.amplitudes, b.amplitudes);
   EXPECT_EQ(a.certificate, b.certificate);
 }
@@ -213,7 +222,8 @@ TEST(Design, LongExperiments) {
 TEST(Design, FrequenciesOffTheGrid) {
   ExplorationProblem problem = thesisProblem(Phase::kSin);
   problem.lines.harmonics.clear();
-  for (const int i : {3, 6, 8, 10}) problem.lines.frequencies.push_back(i / 8.0 * crossoverFrequency(0.73) * 0.1);
+  for (const int i : {3, 6, 8, 10})
+    problem.lines.frequencies.push_back(i / 8.0 * crossoverFrequency(0.73) * 0.1);
   const DesignResult result = designExploration(problem);
   audit(problem, result);
   EXPECT_LE(result.gap, 1e-5);
@@ -222,7 +232,8 @@ TEST(Design, FrequenciesOffTheGrid) {
 
 TEST(Design, SaysWhenNothingExcites) {
   ExplorationProblem problem = twoInputs(1);
-  problem.lines.harmonics = {5};  // one line, one phase: both inputs are in step for every amplitude
+  problem.lines.harmonics = {
+      5};  // one line, one phase: both inputs are in step for every amplitude
   for (const DesignMethod method : {DesignMethod::kGlobal, DesignMethod::kMm}) {
     DesignOptions options;
     options.method = method;
@@ -263,12 +274,14 @@ TEST(Majorisation, DescendsAndRecordsEveryStep) {
       const DesignIteration &before = result.iterations[i - 1], &now = result.iterations[i];
       EXPECT_LT(now.gamma_e, before.gamma_e);
       EXPECT_NEAR(now.step, (now.amplitudes - before.amplitudes).norm(), 1e-12);
-      EXPECT_NEAR(simulatedLambdaMin(problem, now.amplitudes), 1.0, 1e-8);  // each is feasible, on the boundary
+      EXPECT_NEAR(simulatedLambdaMin(problem, now.amplitudes), 1.0,
+                  1e-8);  // each is feasible, on the boundary
       EXPECT_GT(now.inner_gap, 0.0);
       if (extrapolate) continue;
       // Strong convexity: ½‖a_j‖² - ½‖a_j+1‖² >= ½‖a_j - a_j+1‖², up to the inner gap.
-      EXPECT_GE(0.5 * (before.gamma_e * before.gamma_e - now.gamma_e * now.gamma_e) + 2.0 * now.inner_gap,
-                0.5 * now.step * now.step);
+      EXPECT_GE(
+          0.5 * (before.gamma_e * before.gamma_e - now.gamma_e * now.gamma_e) + 2.0 * now.inner_gap,
+          0.5 * now.step * now.step);
     }
     audit(problem, result);
   }
@@ -282,7 +295,8 @@ TEST(Majorisation, InnerGapIsWhatWasAskedFor) {
     options.cost_tolerance = 1e-6;
     const DesignResult result = designExploration(thesisProblem(Phase::kCos), options);
     const double relative = result.inner_gap / (0.5 * result.gamma_e * result.gamma_e);
-    EXPECT_NEAR(relative, gap, 0.1 * gap);  // n μ exactly at the centre; the solver stops a little off it
+    EXPECT_NEAR(relative, gap,
+                0.1 * gap);  // n μ exactly at the centre; the solver stops a little off it
   }
 }
 
@@ -295,10 +309,12 @@ TEST(Majorisation, StartsFromAnyExcitingCandidate) {
     options.initial_amplitudes = size * column({1, -1, 1, 1});
     const DesignResult result = designExploration(thesisProblem(Phase::kCos), options);
     EXPECT_NEAR(result.gamma_e, 3.31937, 0.02);
-    EXPECT_NEAR(result.iterations.front().gamma_e, scaledCost(thesisProblem(Phase::kCos), column({1, -1, 1, 1})), 1e-9);
+    EXPECT_NEAR(result.iterations.front().gamma_e,
+                scaledCost(thesisProblem(Phase::kCos), column({1, -1, 1, 1})), 1e-9);
   }
   options.initial_amplitudes = Eigen::VectorXd::Zero(4);
-  EXPECT_EQ(designExploration(thesisProblem(Phase::kCos), options).status, DesignStatus::kNotExciting);
+  EXPECT_EQ(designExploration(thesisProblem(Phase::kCos), options).status,
+            DesignStatus::kNotExciting);
   options.initial_amplitudes = Eigen::VectorXd::Ones(3);
   EXPECT_THROW(designExploration(thesisProblem(Phase::kCos), options), DataError);
 }
@@ -312,7 +328,8 @@ TEST(Majorisation, ThresholdsOfTheThesisStopEarly) {
   const DesignResult result = designExploration(thesisProblem(Phase::kSin), options);
   EXPECT_EQ(result.status, DesignStatus::kSolved);
   EXPECT_LT(result.iterations.size(), 100u);
-  EXPECT_NEAR(result.gamma_e, 3.30, 0.01);  // a few tenths of a per cent above the optimum, as the thesis's 3.302
+  EXPECT_NEAR(result.gamma_e, 3.30,
+              0.01);  // a few tenths of a per cent above the optimum, as the thesis's 3.302
 }
 
 TEST(Validation, NamesWhatIsWrong) {
@@ -327,20 +344,29 @@ TEST(Validation, NamesWhatIsWrong) {
     return "";
   };
   EXPECT_EQ(message([](ExplorationProblem&) {}), "");
-  EXPECT_EQ(message([](ExplorationProblem& p) { p.gamma_w = 0.0; }), "gamma_w = 0; must be a finite number above 0");
+  EXPECT_EQ(message([](ExplorationProblem& p) { p.gamma_w = 0.0; }),
+            "gamma_w = 0; must be a finite number above 0");
   EXPECT_NE(message([](ExplorationProblem& p) { p.gamma_w = NAN; }), "");
-  EXPECT_EQ(message([](ExplorationProblem& p) { p.A = MatrixXd::Zero(2, 3); }), "A is 2 x 3; must be 2 x 2");
-  EXPECT_EQ(message([](ExplorationProblem& p) { p.B = MatrixXd::Zero(3, 1); }), "B is 3 x 1; must be 2 x 1");
+  EXPECT_EQ(message([](ExplorationProblem& p) { p.A = MatrixXd::Zero(2, 3); }),
+            "A is 2 x 3; must be 2 x 2");
+  EXPECT_EQ(message([](ExplorationProblem& p) { p.B = MatrixXd::Zero(3, 1); }),
+            "B is 3 x 1; must be 2 x 1");
   EXPECT_NE(message([](ExplorationProblem& p) { p.B = MatrixXd::Zero(2, 0); }), "");
   EXPECT_NE(message([](ExplorationProblem& p) { p.A(0, 0) = NAN; }), "");
   EXPECT_NE(message([](ExplorationProblem& p) { p.D_des = MatrixXd::Identity(4, 4); }), "");
   EXPECT_NE(message([](ExplorationProblem& p) { p.D_des = MatrixXd::Constant(1, 1, -1.0); }), "");
   EXPECT_NE(message([](ExplorationProblem& p) { p.D_des = MatrixXd::Zero(3, 3); }), "");
-  EXPECT_NE(message([](ExplorationProblem& p) { p.D_des = Eigen::Vector3d(1, 1, -1).asDiagonal(); }), "");
-  EXPECT_NE(message([](ExplorationProblem& p) { p.D_des = MatrixXd::Identity(3, 3); p.D_des(0, 1) = 0.1; }), "");
+  EXPECT_NE(
+      message([](ExplorationProblem& p) { p.D_des = Eigen::Vector3d(1, 1, -1).asDiagonal(); }), "");
+  EXPECT_NE(message([](ExplorationProblem& p) {
+              p.D_des = MatrixXd::Identity(3, 3);
+              p.D_des(0, 1) = 0.1;
+            }),
+            "");
   EXPECT_NE(message([](ExplorationProblem& p) { p.x0 = Eigen::Vector2d(1, 0); }), "");
   EXPECT_EQ(message([](ExplorationProblem& p) { p.x0 = Eigen::Vector2d(0, 0); }), "");
-  EXPECT_EQ(message([](ExplorationProblem& p) { p.K = MatrixXd::Zero(2, 2); }), "K is 2 x 2; must be 1 x 2");
+  EXPECT_EQ(message([](ExplorationProblem& p) { p.K = MatrixXd::Zero(2, 2); }),
+            "K is 2 x 2; must be 1 x 2");
   EXPECT_THROW(methodFromString("best"), DataError);
   DesignOptions options;
   options.max_iterations = 0;

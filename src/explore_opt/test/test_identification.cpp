@@ -29,7 +29,9 @@ struct Experiment {
     X = Eigen::MatrixXd::Zero(nx, T + 1);
     for (int k = 0; k < T; ++k) X.col(k + 1) = Theta * phi(k) + w.col(k);
   }
-  Eigen::VectorXd phi(int k) const { return (Eigen::VectorXd(X.rows() + U.rows()) << X.col(k), U.col(k)).finished(); }
+  Eigen::VectorXd phi(int k) const {
+    return (Eigen::VectorXd(X.rows() + U.rows()) << X.col(k), U.col(k)).finished();
+  }
   Eigen::MatrixXd regressor() const {
     Eigen::MatrixXd all(X.rows() + U.rows(), U.cols());
     for (int k = 0; k < U.cols(); ++k) all.col(k) = phi(k);
@@ -48,7 +50,8 @@ Eigen::MatrixXd spd(std::uint64_t seed, int n) {
 
 TEST(LeastSquares, ByHand) {
   // x: 1, 2, 3; u: 1, -1. Two equations, two unknowns: 2 = a + b, 3 = 2 a - b, so a = 5/3, b = 1/3.
-  const LeastSquaresFit fit = fitLeastSquares((Eigen::MatrixXd(1, 3) << 1, 2, 3).finished(), (Eigen::MatrixXd(1, 2) << 1, -1).finished());
+  const LeastSquaresFit fit = fitLeastSquares((Eigen::MatrixXd(1, 3) << 1, 2, 3).finished(),
+                                              (Eigen::MatrixXd(1, 2) << 1, -1).finished());
   ASSERT_TRUE(fit.exciting);
   EXPECT_NEAR(fit.Theta(0, 0), 5.0 / 3.0, 1e-14);  // a dozen roundings
   EXPECT_NEAR(fit.Theta(0, 1), 1.0 / 3.0, 1e-14);
@@ -59,17 +62,21 @@ TEST(LeastSquares, ByHand) {
 TEST(LeastSquares, ResidualIsOrthogonalToTheRegressor) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE(seed);
-    const Experiment data(seed, 1.0, 1 + static_cast<int>(seed % 3), 1 + static_cast<int>(seed % 2));
+    const Experiment data(seed, 1.0, 1 + static_cast<int>(seed % 3),
+                          1 + static_cast<int>(seed % 2));
     const LeastSquaresFit fit = fitLeastSquares(data.X, data.U);
     ASSERT_TRUE(fit.exciting);
     const Eigen::MatrixXd phi = data.regressor();
-    EXPECT_LT((fit.residual * phi.transpose()).norm(), 1e-12 * phi.norm());  // 60 products of rounded numbers
-    EXPECT_LT((fit.root.transpose() * fit.root - fit.information).norm(), 1e-13 * fit.information.norm());
+    EXPECT_LT((fit.residual * phi.transpose()).norm(),
+              1e-12 * phi.norm());  // 60 products of rounded numbers
+    EXPECT_LT((fit.root.transpose() * fit.root - fit.information).norm(),
+              1e-13 * fit.information.norm());
   }
 }
 
 TEST(LeastSquares, KeepsItsDigitsFarFromTheOrigin) {
-  // A falling vehicle: positions of 5000 with noise-free steps. Normal equations would lose 1e9 · 1e-16 here.
+  // A falling vehicle: positions of 5000 with noise-free steps. Normal equations would lose 1e9 ·
+  // 1e-16 here.
   const LinearSystem truth = altitudeModel(0.73, 0.1, 0.0);
   Eigen::MatrixXd X(2, 371), U = randomMatrix(3, 0, 1, 370);
   X.col(0) << 5000.0, 0.0;
@@ -110,13 +117,16 @@ TEST(SetMembership, ThreeFormsOfG) {
     const LeastSquaresFit fit = fitLeastSquares(data.X, data.U);
     const Eigen::MatrixXd phi = data.regressor(), S = phi * phi.transpose();
     const Eigen::MatrixXd next = data.X.rightCols(data.U.cols());
-    const Eigen::VectorXd theta = Eigen::Map<const Eigen::VectorXd>(fit.Theta.data(), fit.Theta.size());
+    const Eigen::VectorXd theta =
+        Eigen::Map<const Eigen::VectorXd>(fit.Theta.data(), fit.Theta.size());
     const Eigen::VectorXd X = Eigen::Map<const Eigen::VectorXd>(next.data(), next.size());
-    const double printed = gamma_w + theta.dot(kroneckerIdentity(S, 2) * theta) - X.squaredNorm();  // Eq. (1.8)
+    const double printed =
+        gamma_w + theta.dot(kroneckerIdentity(S, 2) * theta) - X.squaredNorm();  // Eq. (1.8)
     const Eigen::MatrixXd projector = phi.transpose() * S.inverse() * phi;
     const double section32 = gamma_w - X.squaredNorm() + X.dot(kroneckerIdentity(projector, 2) * X);
     const double G = feasibleSet(fit, gamma_w).G;
-    EXPECT_NEAR(G, printed, 1e-12 * (gamma_w + X.squaredNorm()));    // rounding of the numbers subtracted
+    EXPECT_NEAR(G, printed,
+                1e-12 * (gamma_w + X.squaredNorm()));  // rounding of the numbers subtracted
     EXPECT_NEAR(G, section32, 1e-12 * (gamma_w + X.squaredNorm()));
   }
 }
@@ -127,7 +137,8 @@ TEST(SetMembership, TruthIsAsFarInsideAsTheBoundWasLoose) {
     for (const double energy : {0.5, 1.0, 1.5}) {
       const Experiment data(seed, energy);
       const FeasibleSet set = feasibleSet(fitLeastSquares(data.X, data.U), 1.0);
-      EXPECT_NEAR(distance(set, data.Theta) - set.G, energy - 1.0, 1e-11);  // energies of order 100 are rounded
+      EXPECT_NEAR(distance(set, data.Theta) - set.G, energy - 1.0,
+                  1e-11);           // energies of order 100 are rounded
       if (energy == 1.0) continue;  // on the boundary: rounding decides
       EXPECT_EQ(contains(set, data.Theta), energy < 1.0);
     }
@@ -165,11 +176,14 @@ TEST(SetMembership, MarginIsTheEigenvalueOfTheNormalisedInformation) {
     const FeasibleSet set = feasibleSet(fit, 2.0);
     for (const Eigen::MatrixXd& D : {spd(seed, 3), spd(seed, 6)}) {
       const Eigen::MatrixXd full = fullCloseness(D, 2, 3);
-      const Eigen::MatrixXd root = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full).operatorInverseSqrt();
-      const double expected = smallestEigenvalue(root * kroneckerIdentity(fit.information, 2) * root);
+      const Eigen::MatrixXd root =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full).operatorInverseSqrt();
+      const double expected =
+          smallestEigenvalue(root * kroneckerIdentity(fit.information, 2) * root);
       EXPECT_NEAR(informationMargin(set, D), expected, 1e-9 * expected);
     }
-    EXPECT_NEAR(informationMargin(set, scalar(4.0)), informationMargin(set, 4.0 * Eigen::MatrixXd::Identity(6, 6)),
+    EXPECT_NEAR(informationMargin(set, scalar(4.0)),
+                informationMargin(set, 4.0 * Eigen::MatrixXd::Identity(6, 6)),
                 1e-9 * set.lambda_min_S);
   }
 }
@@ -180,7 +194,8 @@ TEST(SetMembership, SingularClosenessIsAllowed) {
   const FeasibleSet set = feasibleSet(fit, 2.0);
   Eigen::MatrixXd D = Eigen::MatrixXd::Zero(3, 3);
   D(2, 2) = 5.0;  // only the input's column matters: G D ⪯ S iff G · 5 <= 1/(S⁻¹)_33
-  EXPECT_NEAR(informationMargin(set, D), 1.0 / (5.0 * fit.information.inverse()(2, 2)), 1e-9 * set.lambda_min_S);
+  EXPECT_NEAR(informationMargin(set, D), 1.0 / (5.0 * fit.information.inverse()(2, 2)),
+              1e-9 * set.lambda_min_S);
   EXPECT_TRUE(explorationCondition(set, Eigen::MatrixXd::Zero(3, 3)));
 }
 
@@ -204,26 +219,32 @@ TEST(SetMembership, ChainOfClosenessMatrices) {
   EXPECT_TRUE(judgeChain(set, data.Theta, scalar(0.5 * bound), scalar(0.1 * bound)).holds());
   const ClosenessChain much = judgeChain(set, data.Theta, scalar(2.0 * bound), scalar(0.1 * bound));
   EXPECT_TRUE(much.truth_within_bound && !much.bound_within_desired && much.desired_within_initial);
-  const ClosenessChain little = judgeChain(set, data.Theta, scalar(0.05 * bound), scalar(0.1 * bound));
-  EXPECT_TRUE(little.truth_within_bound && little.bound_within_desired && !little.desired_within_initial);
-  const ClosenessChain far = judgeChain(set, data.Theta.array() + 10.0, scalar(0.5 * bound), scalar(0.1 * bound));
+  const ClosenessChain little =
+      judgeChain(set, data.Theta, scalar(0.05 * bound), scalar(0.1 * bound));
+  EXPECT_TRUE(little.truth_within_bound && little.bound_within_desired &&
+              !little.desired_within_initial);
+  const ClosenessChain far =
+      judgeChain(set, data.Theta.array() + 10.0, scalar(0.5 * bound), scalar(0.1 * bound));
   EXPECT_FALSE(far.truth_within_bound);
 }
 
 TEST(SetMembership, RandomRunOfTheThesisIsConsistent) {
-  // Section 3.3.3 prints the estimate; 0.5727 and 174.6 follow from it. Entries are printed to four digits.
+  // Section 3.3.3 prints the estimate; 0.5727 and 174.6 follow from it. Entries are printed to four
+  // digits.
   Eigen::MatrixXd truth(2, 3), estimate(2, 3);
   const LinearSystem model = altitudeModel(0.73, 0.1, 0.0);
   truth << model.A, model.B;
   estimate << 1, 0.10003, 0.01219, -2.685e-5, 1.001, 0.0615;
-  EXPECT_NEAR(explorationObjective(truth, estimate, scalar(100.0)), 0.5727, 100 * 2 * 0.0757 * 6e-5);
+  EXPECT_NEAR(explorationObjective(truth, estimate, scalar(100.0)), 0.5727,
+              100 * 2 * 0.0757 * 6e-5);
   EXPECT_NEAR(closenessOfFit(truth, estimate), 174.6, 174.6 * 2 * 6e-5 / 0.0757);
   EXPECT_NEAR(std::sqrt(1.0 / closenessOfFit(truth, estimate)), 0.0757, 6e-5 + 1e-5);
 }
 
 TEST(SetMembership, RefusesWrongCloseness) {
   EXPECT_THROW(fullCloseness(Eigen::MatrixXd::Identity(4, 4), 2, 3), DataError);
-  EXPECT_THROW(fullCloseness((Eigen::MatrixXd(3, 3) << 1, 2, 0, 0, 1, 0, 0, 0, 1).finished(), 2, 3), DataError);
+  EXPECT_THROW(fullCloseness((Eigen::MatrixXd(3, 3) << 1, 2, 0, 0, 1, 0, 0, 0, 1).finished(), 2, 3),
+               DataError);
   EXPECT_THROW(fullCloseness(Eigen::MatrixXd::Identity(2, 3), 2, 3), DataError);
 }
 
@@ -236,7 +257,8 @@ TEST(StructuredFit, WithNothingKnownItIsTheOrdinaryFit) {
     ASSERT_TRUE(fit.exciting);
     EXPECT_LT((fit.Theta - plain.Theta).norm(), 1e-12);
     EXPECT_NEAR(fit.residual_energy, plain.residual_energy, 1e-12);
-    EXPECT_LT((fit.information - kroneckerIdentity(plain.information, 2)).norm(), 1e-12 * plain.information.norm());
+    EXPECT_LT((fit.information - kroneckerIdentity(plain.information, 2)).norm(),
+              1e-12 * plain.information.norm());
   }
 }
 

@@ -27,7 +27,8 @@ Eigen::MatrixXd joined(const LinearSystem& s) {
 }  // namespace
 
 TEST(Discretisation, DoubleIntegratorHasTheClosedForm) {
-  const LinearSystem exact = discretise(continuousAltitudeModel(0.73, 9.8), 0.1), closed = altitudeModel(0.73, 0.1, 9.8);
+  const LinearSystem exact = discretise(continuousAltitudeModel(0.73, 9.8), 0.1),
+                     closed = altitudeModel(0.73, 0.1, 9.8);
   // The exponential of a nilpotent matrix is a polynomial of degree 2; what is left is rounding.
   EXPECT_LT((exact.A - closed.A).norm(), 1e-15);
   EXPECT_LT((exact.B - closed.B).norm(), 1e-15);
@@ -37,7 +38,8 @@ TEST(Discretisation, DoubleIntegratorHasTheClosedForm) {
 TEST(Discretisation, MatchesTheSeries) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
-    const LinearSystem c{randomMatrix(seed, 0, 3, 3), randomMatrix(seed, 1, 3, 2), randomMatrix(seed, 2, 3, 1)};
+    const LinearSystem c{randomMatrix(seed, 0, 3, 3), randomMatrix(seed, 1, 3, 2),
+                         randomMatrix(seed, 2, 3, 1)};
     const double dT = 0.3;
     // x(dT) = Σ A^k dT^k/k! x + Σ A^k dT^(k+1)/(k+1)! (B u + W)
     Eigen::MatrixXd power = Eigen::MatrixXd::Identity(3, 3), A = power, integral = dT * power;
@@ -47,7 +49,8 @@ TEST(Discretisation, MatchesTheSeries) {
       integral += power * dT / (k + 1);
     }
     const LinearSystem d = discretise(c, dT);
-    const double tolerance = 1e-13 * (1.0 + A.norm());  // 60 terms, each rounded to 1e-16 of the largest
+    const double tolerance =
+        1e-13 * (1.0 + A.norm());  // 60 terms, each rounded to 1e-16 of the largest
     EXPECT_LT((d.A - A).norm(), tolerance);
     EXPECT_LT((d.B - integral * c.B).norm(), tolerance * (1.0 + c.B.norm()));
     EXPECT_LT((d.W - integral * c.W).norm(), tolerance * (1.0 + c.W.norm()));
@@ -62,14 +65,17 @@ TEST(Discretisation, TwoHalfPeriodsMakeOne) {
 }
 
 TEST(Discretisation, RefusesWrongShapes) {
-  EXPECT_THROW(discretise({Eigen::MatrixXd::Zero(2, 3), Eigen::MatrixXd::Zero(2, 1), {}}, 0.1), DataError);
-  EXPECT_THROW(discretise({Eigen::MatrixXd::Zero(2, 2), Eigen::MatrixXd::Zero(3, 1), {}}, 0.1), DataError);
+  EXPECT_THROW(discretise({Eigen::MatrixXd::Zero(2, 3), Eigen::MatrixXd::Zero(2, 1), {}}, 0.1),
+               DataError);
+  EXPECT_THROW(discretise({Eigen::MatrixXd::Zero(2, 2), Eigen::MatrixXd::Zero(3, 1), {}}, 0.1),
+               DataError);
   EXPECT_THROW(discretise(continuousAltitudeModel(1.0, 9.8), 0.0), DataError);
   EXPECT_THROW(discretise(continuousAltitudeModel(1.0, 9.8), NAN), DataError);
 }
 
 TEST(AltitudeModel, PrintedMatricesOfTheThesis) {
-  const LinearSystem truth = altitudeModel(0.73, 0.1, 9.8), nominal = altitudeModel(0.6247, 0.1635, 9.8);
+  const LinearSystem truth = altitudeModel(0.73, 0.1, 9.8),
+                     nominal = altitudeModel(0.6247, 0.1635, 9.8);
   // Printed to four decimals: half a unit of the last place.
   EXPECT_NEAR(truth.B(0), 0.0068, 5e-5);
   EXPECT_NEAR(truth.B(1), 0.1370, 5e-5);
@@ -93,19 +99,23 @@ TEST(FrequencyGrid, ThesisChoice) {
 
 TEST(FrequencyGrid, FromTheEstimateItIsAnother) {
   const FrequencyGrid grid = crossoverGrid(0.6247, 0.1635);
-  EXPECT_EQ(grid.exploration_time, 31.0);  // 16 π 0.6247 = 31.40
-  EXPECT_EQ(grid.num_samples, 190);        // 31/0.1635 = 189.6
+  EXPECT_EQ(grid.exploration_time, 31.0);             // 16 π 0.6247 = 31.40
+  EXPECT_EQ(grid.num_samples, 190);                   // 31/0.1635 = 189.6
   EXPECT_THROW(crossoverGrid(0.73, 2.0), DataError);  // 18 samples do not hold ten lines
 }
 
 TEST(InitialEstimate, ErrorNormsOfTable21) {
-  struct Row { double closeness, dT, m, norm; };
-  // All rows of the table; dT and m are printed to 5e-5, which moves ‖e‖ by up to |∂e/∂dT| 5e-5 + |∂e/∂m| 5e-5: the
-  // slopes are about 1/m and dT/m² (below 4 and 2 here), so 3e-4 covers them and the printed 5e-5.
-  for (const Row& row : {Row{1, -0.6432, -0.8596, 0.9936}, Row{10, 0.1411, 0.3141, 0.3158}, Row{50, 0.1635, 0.6247, 0.1407},
-                         Row{100, 0.0512, 0.2287, 0.0997}, Row{500, 0.1430, 0.9694, 0.0444},
-                         Row{1000, 0.0829, 0.5071, 0.0315}, Row{10000, 0.0906, 0.6779, 0.0100},
-                         Row{1000000, 0.0993, 0.7281, 0.0010}}) {
+  struct Row {
+    double closeness, dT, m, norm;
+  };
+  // All rows of the table; dT and m are printed to 5e-5, which moves ‖e‖ by up to |∂e/∂dT| 5e-5 +
+  // |∂e/∂m| 5e-5: the slopes are about 1/m and dT/m² (below 4 and 2 here), so 3e-4 covers them and
+  // the printed 5e-5.
+  for (const Row& row :
+       {Row{1, -0.6432, -0.8596, 0.9936}, Row{10, 0.1411, 0.3141, 0.3158},
+        Row{50, 0.1635, 0.6247, 0.1407}, Row{100, 0.0512, 0.2287, 0.0997},
+        Row{500, 0.1430, 0.9694, 0.0444}, Row{1000, 0.0829, 0.5071, 0.0315},
+        Row{10000, 0.0906, 0.6779, 0.0100}, Row{1000000, 0.0993, 0.7281, 0.0010}}) {
     SCOPED_TRACE(row.closeness);
     Eigen::MatrixXd estimate(2, 3);  // by hand: the first row is not a physical model
     estimate << 1, row.dT, row.dT * row.dT / (2 * row.m), 0, 1, row.dT / row.m;
@@ -114,9 +124,11 @@ TEST(InitialEstimate, ErrorNormsOfTable21) {
 }
 
 TEST(InitialEstimate, ClosenessOfTheThesisEstimate) {
-  EXPECT_NEAR(closenessOfEstimate(kTruth, kThesisEstimate), 50.4955, 5e-5);  // by hand from the printed dT, m
+  EXPECT_NEAR(closenessOfEstimate(kTruth, kThesisEstimate), 50.4955,
+              5e-5);  // by hand from the printed dT, m
   // The printed 50.4868 lies within what draws rounding to 0.1635 and 0.6247 can give.
-  const double low = closenessOfEstimate(kTruth, {0.16355, 0.62465}), high = closenessOfEstimate(kTruth, {0.16345, 0.62475});
+  const double low = closenessOfEstimate(kTruth, {0.16355, 0.62465}),
+               high = closenessOfEstimate(kTruth, {0.16345, 0.62475});
   EXPECT_LT(low, 50.4868);
   EXPECT_GT(high, 50.4868);
   EXPECT_LT(high - low, 0.2);
@@ -129,7 +141,8 @@ TEST(InitialEstimate, DesiredClosenessAsksForMore) {
   EXPECT_FALSE(asksForMore(50.0 * Eigen::MatrixXd::Identity(6, 6), initial));
   // D_init bounds D_0: e eᵀ ⪯ D_init⁻¹.
   const Eigen::VectorXd e = parameterError(kTruth, kThesisEstimate);
-  EXPECT_GE(explore_opt::testing::smallestEigenvalue(initial.inverse() - e * e.transpose()), -1e-15);
+  EXPECT_GE(explore_opt::testing::smallestEigenvalue(initial.inverse() - e * e.transpose()),
+            -1e-15);
 }
 
 TEST(InitialEstimate, DrawsHaveTheClosenessAskedFor) {
@@ -147,11 +160,15 @@ TEST(InitialEstimate, DrawsHaveTheClosenessAskedFor) {
 
 TEST(InitialEstimate, DrawTakesTheFirstCrossing) {
   const InitialEstimate draw = drawInitialEstimate(kTruth, 50.0, 3);
-  const double n1 = (draw.parameters.sampling_period - kTruth.sampling_period) / draw.standard_deviation;
+  const double n1 =
+      (draw.parameters.sampling_period - kTruth.sampling_period) / draw.standard_deviation;
   const double n2 = (draw.parameters.mass - kTruth.mass) / draw.standard_deviation;
-  for (double part = 0.001; part < 1.0; part += 0.001) {  // inside, the estimate is closer than asked
+  for (double part = 0.001; part < 1.0;
+       part += 0.001) {  // inside, the estimate is closer than asked
     const double sigma = part * draw.standard_deviation;
-    EXPECT_GT(closenessOfEstimate(kTruth, {kTruth.sampling_period + sigma * n1, kTruth.mass + sigma * n2}), 50.0);
+    EXPECT_GT(closenessOfEstimate(kTruth,
+                                  {kTruth.sampling_period + sigma * n1, kTruth.mass + sigma * n2}),
+              50.0);
   }
 }
 
@@ -170,11 +187,13 @@ TEST(DisturbanceEnergy, BeforeTheExperiment) {
   // By hand: 370 g² dT² (1 + dT²/4) = 370 · 0.9604 · 1.0025 = 356.23637; the thesis prints 356.23.
   EXPECT_NEAR(constantDisturbanceEnergy(truth.W, 370), 356.23637, 1e-9);
   EXPECT_NEAR(constantDisturbanceEnergy(truth.W, 370), 356.23, 0.01);
-  const Eigen::VectorXd left = compensatedDisturbance(truth, Eigen::VectorXd::Constant(1, 0.6247 * 9.8));
+  const Eigen::VectorXd left =
+      compensatedDisturbance(truth, Eigen::VectorXd::Constant(1, 0.6247 * 9.8));
   const double share = 0.6247 / 0.73 - 1.0;
   EXPECT_NEAR(constantDisturbanceEnergy(left, 370), 356.23637 * share * share, 1e-9);
   EXPECT_NEAR(constantDisturbanceEnergy(left, 370), 7.41, 5e-3);  // Eq. (2.3)
-  const Eigen::VectorXd none = compensatedDisturbance(truth, Eigen::VectorXd::Constant(1, 0.73 * 9.8));
+  const Eigen::VectorXd none =
+      compensatedDisturbance(truth, Eigen::VectorXd::Constant(1, 0.73 * 9.8));
   EXPECT_LT(constantDisturbanceEnergy(none, 370), 1e-25);
 }
 
@@ -182,14 +201,17 @@ TEST(DisturbanceEnergy, OneStepEnergyIsTheEnergyOfWhatWasAdded) {
   const LinearSystem truth = altitudeModel(0.73, 0.1, 9.8);
   const Eigen::MatrixXd U = randomMatrix(1, 0, 1, 370), noise = 0.05 * randomMatrix(1, 1, 2, 370);
   Eigen::MatrixXd X = Eigen::MatrixXd::Zero(2, 371);
-  for (int k = 0; k < 370; ++k) X.col(k + 1) = truth.A * X.col(k) + truth.B * U.col(k) + truth.W + noise.col(k);
-  EXPECT_NEAR(oneStepEnergy(truth, X, U), noise.squaredNorm(), 1e-9);  // |x| reaches 7e3: rounding 1e-12 a sample
+  for (int k = 0; k < 370; ++k)
+    X.col(k + 1) = truth.A * X.col(k) + truth.B * U.col(k) + truth.W + noise.col(k);
+  EXPECT_NEAR(oneStepEnergy(truth, X, U), noise.squaredNorm(),
+              1e-9);  // |x| reaches 7e3: rounding 1e-12 a sample
   const LinearSystem without{truth.A, truth.B, {}};
   EXPECT_NEAR(oneStepEnergy(without, X, U), (noise.colwise() + truth.W).squaredNorm(), 1e-9);
 }
 
 TEST(DisturbanceEnergy, SimulationOfAnIntegratorIsAbsurdlyMuch) {
-  const LinearSystem truth = altitudeModel(0.73, 0.1, 0.0), nominal = altitudeModel(0.6247, 0.1635, 0.0);
+  const LinearSystem truth = altitudeModel(0.73, 0.1, 0.0),
+                     nominal = altitudeModel(0.6247, 0.1635, 0.0);
   const Eigen::MatrixXd U = randomMatrix(2, 0, 1, 370);
   Eigen::MatrixXd X = Eigen::MatrixXd::Zero(2, 371);
   for (int k = 0; k < 370; ++k) X.col(k + 1) = truth.A * X.col(k) + truth.B * U.col(k);
@@ -202,7 +224,9 @@ TEST(DisturbanceEnergy, SimulationOfAnIntegratorIsAbsurdlyMuch) {
 
 TEST(DisturbanceEnergy, RefusesWrongShapes) {
   const LinearSystem truth = altitudeModel(0.73, 0.1, 9.8);
-  EXPECT_THROW(oneStepEnergy(truth, Eigen::MatrixXd::Zero(2, 5), Eigen::MatrixXd::Zero(1, 5)), DataError);
-  EXPECT_THROW(oneStepEnergy(truth, Eigen::MatrixXd::Zero(3, 6), Eigen::MatrixXd::Zero(1, 5)), DataError);
+  EXPECT_THROW(oneStepEnergy(truth, Eigen::MatrixXd::Zero(2, 5), Eigen::MatrixXd::Zero(1, 5)),
+               DataError);
+  EXPECT_THROW(oneStepEnergy(truth, Eigen::MatrixXd::Zero(3, 6), Eigen::MatrixXd::Zero(1, 5)),
+               DataError);
   EXPECT_THROW(constantDisturbanceEnergy(truth.W, 0), DataError);
 }

@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kThesis = R"({"A": [[1, 0.1635], [0, 1]], "B": [[0.021396], [0.261726]], "T": 370,
+constexpr const char* kThesis =
+    R"({"A": [[1, 0.1635], [0, 1]], "B": [[0.021396], [0.261726]], "T": 370,
   "harmonics": [3, 6, 8, 10], "phase": "sin", "gamma_w": 20, "D_des": 100})";
 
 class Program : public ::testing::Test {
@@ -40,7 +41,9 @@ class Program : public ::testing::Test {
   /// Exit code; stdout and stderr are kept.
   int run(const std::string& arguments) {
     const std::string out = (dir_ / "stdout").string(), err = (dir_ / "stderr").string();
-    const std::string command = "cd '" + dir_.string() + "' && " + std::string(EXPLORE_OPT_PROGRAM) + " " + arguments + " >" + out + " 2>" + err;
+    const std::string command = "cd '" + dir_.string() + "' && " +
+                                std::string(EXPLORE_OPT_PROGRAM) + " " + arguments + " >" + out +
+                                " 2>" + err;
     const int status = std::system(command.c_str());
     stdout_ = quad_support::readFile(out);
     stderr_ = quad_support::readFile(err);
@@ -54,7 +57,8 @@ class Program : public ::testing::Test {
 
 json thesis() { return json::parse(kThesis); }
 
-/// A stable system of one state with known noise, T = 40; the first and last five rows belong to another phase.
+/// A stable system of one state with known noise, T = 40; the first and last five rows belong to
+/// another phase.
 std::string data(double noise) {
   std::ostringstream csv;
   csv << "k,phase,x,u\n";
@@ -99,18 +103,23 @@ TEST_F(Program, DesignWritesACertifiedAnswer) {
   EXPECT_GE(out["lambda_min"].get<double>(), 1.0 - 1e-12);
   EXPECT_EQ(out["amplitudes"].size(), 4u);
   EXPECT_EQ(out["certificate"].size(), 3u);
-  for (const char* key : {"lower_bound", "iterations", "seconds"}) EXPECT_TRUE(out.contains(key)) << key;
-  for (const json& iteration : out["iterations"]) EXPECT_TRUE(iteration.contains("gamma_e") && iteration.contains("step"));
+  for (const char* key : {"lower_bound", "iterations", "seconds"})
+    EXPECT_TRUE(out.contains(key)) << key;
+  for (const json& iteration : out["iterations"])
+    EXPECT_TRUE(iteration.contains("gamma_e") && iteration.contains("step"));
   ASSERT_EQ(run("design " + problem + " --out answer.json"), 0);
   EXPECT_EQ(stdout_, "");
-  EXPECT_EQ(json::parse(quad_support::readFile((dir_ / "answer.json").string()))["gamma_e"], out["gamma_e"]);
+  EXPECT_EQ(json::parse(quad_support::readFile((dir_ / "answer.json").string()))["gamma_e"],
+            out["gamma_e"]);
 }
 
 TEST_F(Program, DesignWithBothPhasesAndByMajorisation) {
   ASSERT_EQ(run("design " + write("both.json", with("phase", "both"))), 0) << stderr_;
   EXPECT_EQ(answer()["amplitudes"]["cos"].size(), 4u);
   EXPECT_EQ(answer()["amplitudes"]["sin"].size(), 4u);
-  ASSERT_EQ(run("design --method mm --cost-tolerance 1e-4 --step-tolerance 1e-2 " + write("cos.json", with("phase", "cos"))), 0);
+  ASSERT_EQ(run("design --method mm --cost-tolerance 1e-4 --step-tolerance 1e-2 " +
+                write("cos.json", with("phase", "cos"))),
+            0);
   EXPECT_EQ(answer()["method"], "mm");
   EXPECT_GT(answer()["iterations"].size(), 2u);
   EXPECT_NEAR(answer()["gamma_e"].get<double>(), 3.319, 0.01);
@@ -128,12 +137,14 @@ TEST_F(Program, NegativeAnswersExitWith3AndAreWritten) {
 
 TEST_F(Program, BadInputExitsWith2AndOneLine) {
   for (const std::string& arguments :
-       {std::string("design"), std::string("design nofile.json"), std::string(""), std::string("desing p.json"),
-        "design " + write("p.json", kThesis) + " --method best", "design " + write("q.json", "{"),
-        "design " + write("r.json", with("gamma_w", 0)), "identify " + write("d.csv", data(0.0)) + " --states x --inputs u",
+       {std::string("design"), std::string("design nofile.json"), std::string(""),
+        std::string("desing p.json"), "design " + write("p.json", kThesis) + " --method best",
+        "design " + write("q.json", "{"), "design " + write("r.json", with("gamma_w", 0)),
+        "identify " + write("d.csv", data(0.0)) + " --states x --inputs u",
         "identify " + write("d.csv", data(0.0)) + " --states y --inputs u --gamma-w 1",
         "identify " + write("d.csv", data(0.0)) + " --states x --inputs u --gamma-w 0",
-        "identify " + write("d.csv", data(0.0)) + " --states x --inputs u --gamma-w 1 --where phase=hold"}) {
+        "identify " + write("d.csv", data(0.0)) +
+            " --states x --inputs u --gamma-w 1 --where phase=hold"}) {
     SCOPED_TRACE(arguments);
     EXPECT_EQ(run(arguments), 2);
     EXPECT_EQ(stdout_, "");
@@ -154,7 +165,8 @@ TEST_F(Program, IdentifySelectsRowsAndJudges) {
   EXPECT_NEAR(out["Theta"][0][0].get<double>(), 0.5, 0.02);
   EXPECT_NEAR(out["Theta"][0][1].get<double>(), 0.4, 0.02);
   EXPECT_DOUBLE_EQ(out["G"].get<double>(), 0.01 - out["residual_energy"].get<double>());
-  EXPECT_NEAR(out["residual_energy"].get<double>(), 40 * 1e-4, 5e-4);  // 40 samples of ±0.01, a little fitted away
+  EXPECT_NEAR(out["residual_energy"].get<double>(), 40 * 1e-4,
+              5e-4);  // 40 samples of ±0.01, a little fitted away
   EXPECT_EQ(out["exploration_condition"], true);
   EXPECT_EQ(out["falsified"], false);
   EXPECT_GT(out["lambda_D_bd"].get<double>(), 20.0);
@@ -171,7 +183,8 @@ TEST_F(Program, IdentifySelectsRowsAndJudges) {
 }
 
 TEST_F(Program, IdentifyTakesMatricesAndKnownEntries) {
-  const std::string common = "identify " + write("data.csv", data(0.01)) + " --states x --inputs u --where phase=explore --gamma-w 0.01 ";
+  const std::string common = "identify " + write("data.csv", data(0.01)) +
+                             " --states x --inputs u --where phase=explore --gamma-w 0.01 ";
   EXPECT_EQ(run(common + "--D " + write("D.json", "[[20, 1], [1, 30]]")), 0) << stderr_;
   EXPECT_EQ(run(common + "--D " + write("D3.json", "[[20, 1, 0], [1, 30, 0], [0, 0, 1]]")), 2);
   ASSERT_EQ(run(common + "--D 20 --known " + write("known.json", "[[0.5, null]]")), 0) << stderr_;
@@ -183,7 +196,9 @@ TEST_F(Program, IdentifyTakesMatricesAndKnownEntries) {
 }
 
 TEST_F(Program, DataThatDoNotExciteExitWith3) {
-  EXPECT_EQ(run("identify " + write("still.csv", "x,u\n1,0\n0.5,0\n0.25,0\n0.125,0\n") + " --states x --inputs u --gamma-w 1"), 3);
+  EXPECT_EQ(run("identify " + write("still.csv", "x,u\n1,0\n0.5,0\n0.25,0\n0.125,0\n") +
+                " --states x --inputs u --gamma-w 1"),
+            3);
   EXPECT_EQ(answer()["exciting"], false);
   EXPECT_TRUE(answer()["Theta"].is_null());
 }
@@ -191,12 +206,15 @@ TEST_F(Program, DataThatDoNotExciteExitWith3) {
 TEST_F(Program, HelpHasExamplesThatRun) {
   for (const std::string& command : {std::string("design"), std::string("identify")}) {
     ASSERT_EQ(run(command + " --help"), 0);
-    const auto begin = stdout_.find("Example:\n"), end = stdout_.find(command == "design" ? "\nD_des:" : "\nRow k");
+    const auto begin = stdout_.find("Example:\n"),
+               end = stdout_.find(command == "design" ? "\nD_des:" : "\nRow k");
     ASSERT_TRUE(begin != std::string::npos && end != std::string::npos);
     std::string script = stdout_.substr(begin + 9, end - begin - 9);
     const std::string folder = fs::path(EXPLORE_OPT_PROGRAM).parent_path().string();
     write("example.sh", "set -e\nPATH=" + folder + ":$PATH\n" + script + "\n");
-    EXPECT_EQ(std::system(("cd '" + dir_.string() + "' && sh example.sh >example.out 2>&1").c_str()), 0) << script;
+    EXPECT_EQ(
+        std::system(("cd '" + dir_.string() + "' && sh example.sh >example.out 2>&1").c_str()), 0)
+        << script;
   }
 }
 
@@ -216,10 +234,13 @@ TEST(ProblemJson, ReadsEveryKey) {
 
 TEST(ProblemJson, SaysWhatIsWrong) {
   EXPECT_EQ(messageOf(kThesis), "");
-  EXPECT_EQ(messageOf(with("gamma_w", -1)), "p.json: gamma_w = -1; must be a finite number above 0");
-  EXPECT_EQ(messageOf(with("harmonics", {3, 200})), "p.json: harmonics[1] = 200; must lie in 1..184 (below T/2, T = 370)");
+  EXPECT_EQ(messageOf(with("gamma_w", -1)),
+            "p.json: gamma_w = -1; must be a finite number above 0");
+  EXPECT_EQ(messageOf(with("harmonics", {3, 200})),
+            "p.json: harmonics[1] = 200; must lie in 1..184 (below T/2, T = 370)");
   EXPECT_EQ(messageOf(with("phase", "sine")), "p.json: phase = 'sine'; must be sin, cos or both");
-  EXPECT_EQ(messageOf(with("B", {{0.02}, {0.2, 1}})), "p.json: B: row 2 is [0.2,1]; must have 1 numbers like the first");
+  EXPECT_EQ(messageOf(with("B", {{0.02}, {0.2, 1}})),
+            "p.json: B: row 2 is [0.2,1]; must have 1 numbers like the first");
   EXPECT_EQ(messageOf(with("T", 37.5)), "p.json: T = 37.5; must be a whole number, 0 to 1e9");
   EXPECT_NE(messageOf(with("gama_w", 1)).find("p.json: gama_w is not a key"), std::string::npos);
   EXPECT_NE(messageOf(with("gamma_w", "20")), "");

@@ -8,14 +8,17 @@
 
 namespace explore_opt {
 
-/// Reads a problem: keys A, B, T, harmonics or frequencies, phase, gamma_w, D_des, and optionally x0, K.
+/// Reads a problem: keys A, B, T, harmonics or frequencies, phase, gamma_w, D_des, and optionally
+/// x0, K.
 /// @param source  name for messages, a path say
-/// @throws quad_support::ConfigError: text that is not JSON, missing, unknown or repeated keys, wrong types or values
+/// @throws quad_support::ConfigError: text that is not JSON, missing, unknown or repeated keys,
+/// wrong types or values
 ExplorationProblem problemFromJson(const std::string& text, const std::string& source);
 
-/// The answer with keys status, method, amplitudes ([[α_1 of n_u], ...] or {"cos", "sin"}), gamma_e, lower_bound, gap,
-/// certificate, lambda_min, iterations ({gamma_e, step, inner_gap, amplitudes}), inner_gap, seconds, message. A value
-/// that does not exist is null. Doubles are printed so that they read back the same.
+/// The answer with keys status, method, amplitudes ([[α_1 of n_u], ...] or {"cos", "sin"}),
+/// gamma_e, lower_bound, gap, certificate, lambda_min, iterations ({gamma_e, step, inner_gap,
+/// amplitudes}), inner_gap, seconds, message. A value that does not exist is null. Doubles are
+/// printed so that they read back the same.
 nlohmann::ordered_json designToJson(const ExplorationProblem& problem, const DesignResult& result);
 
 /// Indented text with a list of numbers on one line, ending in a newline.

@@ -5,8 +5,8 @@
 
 namespace explore_opt {
 
-/// What a fit of x_{k+1} = Θ φ_k says. If `exciting` is false the estimate is not determined by the data: Theta,
-/// residual and residual_energy are then empty or zero, the singular values tell why.
+/// What a fit of x_{k+1} = Θ φ_k says. If `exciting` is false the estimate is not determined by the
+/// data: Theta, residual and residual_energy are then empty or zero, the singular values tell why.
 struct LeastSquaresFit {
   bool exciting = false;            ///< condition <= 1e10
   double condition = 0.0;           ///< of the regressor with its columns scaled to length one
@@ -21,10 +21,12 @@ struct LeastSquaresFit {
   int numStates() const { return static_cast<int>(Theta.rows()); }
 };
 
-/// Fits Θ = [A B] by Householder QR of the column-scaled Φᵀ, φ_k = [x_k; u_k]; thesis sections 1.3.1 and 2.4.4.
+/// Fits Θ = [A B] by Householder QR of the column-scaled Φᵀ, φ_k = [x_k; u_k]; thesis
+/// sections 1.3.1 and 2.4.4.
 /// @param X  states x_0 ... x_T,     n_x x (T+1)
 /// @param U  inputs u_0 ... u_{T-1}, n_u x T
-/// @throws quad_support::DataError: shapes that do not fit, a value that is not finite, T < n_φ = n_x + n_u
+/// @throws quad_support::DataError: shapes that do not fit, a value that is not finite, T < n_φ =
+/// n_x + n_u
 LeastSquaresFit fitLeastSquares(const Eigen::MatrixXd& X, const Eigen::MatrixXd& U);
 
 }  // namespace explore_opt

@@ -28,11 +28,13 @@ struct StructuredFit {
 /// Sparse QR of (φ_kᵀ ⊗ I) E, columns scaled to length one.
 /// @param X      states x_0 ... x_T, n_x x (T+1)      @param U  inputs u_0 ... u_{T-1}, n_u x T
 /// @param known  [A B], n_x x n_φ, NaN where the entry is to be estimated
-/// @throws quad_support::DataError: shapes that do not fit, values that are not finite, nothing to estimate,
-/// fewer equations than unknowns
-StructuredFit fitStructured(const Eigen::MatrixXd& X, const Eigen::MatrixXd& U, const Eigen::MatrixXd& known);
+/// @throws quad_support::DataError: shapes that do not fit, values that are not finite, nothing to
+/// estimate, fewer equations than unknowns
+StructuredFit fitStructured(const Eigen::MatrixXd& X, const Eigen::MatrixXd& U,
+                            const Eigen::MatrixXd& known);
 
-/// D restricted to the free entries, Eᵀ D E. @param closeness  as fullCloseness() in set_membership.hpp
+/// D restricted to the free entries, Eᵀ D E. @param closeness  as fullCloseness() in
+/// set_membership.hpp
 Eigen::MatrixXd restrictCloseness(const Eigen::MatrixXd& closeness, const StructuredFit& fit);
 
 }  // namespace explore_opt

@@ -24,7 +24,8 @@ struct Settings {
 };
 
 int design(const Settings& settings) {
-  const ExplorationProblem problem = problemFromJson(quad_support::readFile(settings.problem), settings.problem);
+  const ExplorationProblem problem =
+      problemFromJson(quad_support::readFile(settings.problem), settings.problem);
   DesignOptions options = settings.options;
   options.method = methodFromString(settings.method);
   options.extrapolate = !settings.plain;
@@ -33,8 +34,8 @@ int design(const Settings& settings) {
   if (result.status == DesignStatus::kSolved || result.status == DesignStatus::kReducedAccuracy) {
     return quad_support::kDone;
   }
-  std::fprintf(stderr, "explore_opt: %s: %s: %s\n", settings.problem.c_str(), toString(result.status).c_str(),
-               result.message.c_str());
+  std::fprintf(stderr, "explore_opt: %s: %s: %s\n", settings.problem.c_str(),
+               toString(result.status).c_str(), result.message.c_str());
   return quad_support::kNegativeAnswer;
 }
 
@@ -43,7 +44,8 @@ int design(const Settings& settings) {
 Action addDesignCommand(CLI::App& app) {
   const auto settings = std::make_shared<Settings>();
   DesignOptions& options = settings->options;
-  CLI::App* command = app.add_subcommand("design", "Amplitudes of least norm that guarantee the desired closeness");
+  CLI::App* command =
+      app.add_subcommand("design", "Amplitudes of least norm that guarantee the desired closeness");
   command->footer(kHelp);
   command->add_option("problem", settings->problem, "Problem in JSON")->required();
   command->add_option("--method", settings->method, "global: certified; mm: the paper's algorithm")
@@ -51,12 +53,18 @@ Action addDesignCommand(CLI::App& app) {
       ->check(CLI::IsMember({"global", "mm"}));
   command->add_option("--out", settings->out, "File for the answer; default: standard output");
   command->add_option("--seed", options.seed, "Of random starts")->capture_default_str();
-  command->add_option("--starts", options.random_starts, "global: random starts while the gap is open")
+  command
+      ->add_option("--starts", options.random_starts, "global: random starts while the gap is open")
       ->capture_default_str();
-  command->add_option("--max-iterations", options.max_iterations, "mm: re-linearisations")->capture_default_str();
-  command->add_option("--cost-tolerance", options.cost_tolerance, "mm: relative change of gamma_e to stop at")
+  command->add_option("--max-iterations", options.max_iterations, "mm: re-linearisations")
       ->capture_default_str();
-  command->add_option("--step-tolerance", options.step_tolerance, "mm: relative change of amplitudes to stop at")
+  command
+      ->add_option("--cost-tolerance", options.cost_tolerance,
+                   "mm: relative change of gamma_e to stop at")
+      ->capture_default_str();
+  command
+      ->add_option("--step-tolerance", options.step_tolerance,
+                   "mm: relative change of amplitudes to stop at")
       ->capture_default_str();
   command->add_flag("--plain", settings->plain, "mm: without lengthening steps, as in the paper");
   return [settings] { return design(*settings); };

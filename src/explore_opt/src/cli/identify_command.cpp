@@ -44,14 +44,16 @@ struct Verdict {
   Eigen::VectorXd singular_values;
   MatrixXd Theta, information;
   double residual_energy = 0.0, G = 0.0, lambda_min = 0.0;
-  std::optional<double> margin;  ///< largest G the condition allows; none if no closeness is asked for
-  std::vector<Entry> free;       ///< structured only
+  std::optional<double>
+      margin;               ///< largest G the condition allows; none if no closeness is asked for
+  std::vector<Entry> free;  ///< structured only
 
   bool falsified() const { return exciting && G < 0.0; }
   bool conditionMet() const { return exciting && !falsified() && margin && *margin >= G; }
 };
 
-/// Rows of the table where `where` ("column=value") holds, all without it. They must follow one another.
+/// Rows of the table where `where` ("column=value") holds, all without it. They must follow one
+/// another.
 std::vector<std::size_t> selectRows(const CsvTable& table, const Settings& settings) {
   const auto equals = settings.where.find('=');
   if (!settings.where.empty() && equals == std::string::npos) {
@@ -59,25 +61,30 @@ std::vector<std::size_t> selectRows(const CsvTable& table, const Settings& setti
   }
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const bool wanted = settings.where.empty() ||
-                        table.text(row, settings.where.substr(0, equals)) == settings.where.substr(equals + 1);
+    const bool wanted =
+        settings.where.empty() ||
+        table.text(row, settings.where.substr(0, equals)) == settings.where.substr(equals + 1);
     if (!wanted) continue;
     if (!rows.empty() && rows.back() + 1 != row) {
-      throw DataError(fmt::format("{}: the rows with {} do not follow one another (gap after data row {})",
-                                  settings.data, settings.where, rows.back() + 1));
+      throw DataError(
+          fmt::format("{}: the rows with {} do not follow one another (gap after data row {})",
+                      settings.data, settings.where, rows.back() + 1));
     }
     rows.push_back(row);
   }
-  if (rows.size() < 2) throw DataError(fmt::format("{}: {} rows selected; at least 2 are needed", settings.data, rows.size()));
+  if (rows.size() < 2)
+    throw DataError(
+        fmt::format("{}: {} rows selected; at least 2 are needed", settings.data, rows.size()));
   return rows;
 }
 
-MatrixXd columns(const CsvTable& table, const std::vector<std::string>& names, const std::vector<std::size_t>& rows,
-                 std::size_t count) {
+MatrixXd columns(const CsvTable& table, const std::vector<std::string>& names,
+                 const std::vector<std::size_t>& rows, std::size_t count) {
   MatrixXd values(names.size(), count);
   for (std::size_t j = 0; j < count; ++j) {
     for (std::size_t i = 0; i < names.size(); ++i) {
-      values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = table.number(rows[j], names[i]);
+      values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          table.number(rows[j], names[i]);
     }
   }
   return values;
@@ -90,17 +97,20 @@ MatrixXd readCloseness(const std::string& text) {
   } catch (const std::invalid_argument&) {  // then it is a file
   }
   const auto value = parseJson(quad_support::readFile(text), text);
-  return value.is_number() ? MatrixXd::Constant(1, 1, value.get<double>()) : matrixFromJson(value, text);
+  return value.is_number() ? MatrixXd::Constant(1, 1, value.get<double>())
+                           : matrixFromJson(value, text);
 }
 
 MatrixXd readKnown(const std::string& path) {
   auto rows = parseJson(quad_support::readFile(path), path);
   MatrixXd unknown;
-  if (rows.is_array() && !rows.empty() && rows.front().is_array()) unknown.setZero(rows.size(), rows.front().size());
+  if (rows.is_array() && !rows.empty() && rows.front().is_array())
+    unknown.setZero(rows.size(), rows.front().size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t j = 0; rows[i].is_array() && j < rows[i].size(); ++j) {
       if (!rows[i][j].is_null() || j >= static_cast<std::size_t>(unknown.cols())) continue;
-      unknown(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = std::numeric_limits<double>::quiet_NaN();
+      unknown(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          std::numeric_limits<double>::quiet_NaN();
       rows[i][j] = 0.0;
     }
   }
@@ -110,26 +120,44 @@ MatrixXd readKnown(const std::string& path) {
 
 Verdict identifyAll(const MatrixXd& X, const MatrixXd& U, const Settings& settings) {
   const LeastSquaresFit fit = fitLeastSquares(X, U);
-  Verdict verdict{fit.exciting, fit.condition, fit.singular_values, fit.Theta, fit.information, fit.residual_energy,
-                  0.0,          0.0,           {},                  {}};
+  Verdict verdict{fit.exciting,
+                  fit.condition,
+                  fit.singular_values,
+                  fit.Theta,
+                  fit.information,
+                  fit.residual_energy,
+                  0.0,
+                  0.0,
+                  {},
+                  {}};
   if (!fit.exciting) return verdict;
   const FeasibleSet set = feasibleSet(fit, settings.gamma_w);
   verdict.G = set.G;
   verdict.lambda_min = set.lambda_min_S;
-  if (!settings.closeness.empty()) verdict.margin = informationMargin(set, readCloseness(settings.closeness));
+  if (!settings.closeness.empty())
+    verdict.margin = informationMargin(set, readCloseness(settings.closeness));
   return verdict;
 }
 
 Verdict identifyStructured(const MatrixXd& X, const MatrixXd& U, const Settings& settings) {
   const StructuredFit fit = fitStructured(X, U, readKnown(settings.known));
-  Verdict verdict{fit.exciting, fit.condition, fit.singular_values, fit.Theta, fit.information, fit.residual_energy,
-                  0.0,          0.0,           {},                  fit.free};
+  Verdict verdict{fit.exciting,
+                  fit.condition,
+                  fit.singular_values,
+                  fit.Theta,
+                  fit.information,
+                  fit.residual_energy,
+                  0.0,
+                  0.0,
+                  {},
+                  fit.free};
   if (!fit.exciting) return verdict;
   verdict.G = settings.gamma_w - fit.residual_energy;
   const auto n = fit.root.cols();
   verdict.lambda_min = largestRadius(fit.root, MatrixXd::Identity(n, n));
   if (!settings.closeness.empty()) {
-    verdict.margin = largestRadius(fit.root, restrictCloseness(readCloseness(settings.closeness), fit));
+    verdict.margin =
+        largestRadius(fit.root, restrictCloseness(readCloseness(settings.closeness), fit));
   }
   return verdict;
 }
@@ -158,17 +186,25 @@ ordered_json toJson(const Verdict& v) {
 /// Empty if the answer is positive.
 std::string complaint(const Verdict& v, const Settings& settings) {
   if (!v.exciting) {
-    return fmt::format("the data do not determine [A B]: condition {:.3g} of the scaled regressor, smallest singular "
-                       "value {:.3g}; excite more", v.condition, v.singular_values.tail(1)(0));
+    return fmt::format(
+        "the data do not determine [A B]: condition {:.3g} of the scaled regressor, smallest "
+        "singular "
+        "value {:.3g}; excite more",
+        v.condition, v.singular_values.tail(1)(0));
   }
   if (v.falsified()) {
-    return fmt::format("gamma_w = {} is smaller than the residual energy {:.6g}, so G = {:.6g} < 0 and no parameter "
-                       "fits the data (Eq. 1.8). Raise --gamma-w or look at the data", settings.gamma_w,
-                       v.residual_energy, v.G);
+    return fmt::format(
+        "gamma_w = {} is smaller than the residual energy {:.6g}, so G = {:.6g} < 0 and no "
+        "parameter "
+        "fits the data (Eq. 1.8). Raise --gamma-w or look at the data",
+        settings.gamma_w, v.residual_energy, v.G);
   }
   if (v.margin && !v.conditionMet()) {
-    return fmt::format("exploration condition not met: the data guarantee the desired closeness for G <= {:.6g}, but "
-                       "G = {:.6g} (Eq. 1.10)", *v.margin, v.G);
+    return fmt::format(
+        "exploration condition not met: the data guarantee the desired closeness for G <= {:.6g}, "
+        "but "
+        "G = {:.6g} (Eq. 1.10)",
+        *v.margin, v.G);
   }
   return {};
 }
@@ -194,15 +230,25 @@ int identify(const Settings& settings) {
 
 Action addIdentifyCommand(CLI::App& app) {
   const auto settings = std::make_shared<Settings>();
-  CLI::App* command = app.add_subcommand("identify", "Least squares and the set of parameters the data leave possible");
+  CLI::App* command = app.add_subcommand(
+      "identify", "Least squares and the set of parameters the data leave possible");
   command->footer(kHelp);
   command->add_option("data", settings->data, "Table in CSV, a row a sample, T+1 rows")->required();
-  command->add_option("--states", settings->states, "Columns of the states")->delimiter(',')->required();
-  command->add_option("--inputs", settings->inputs, "Columns of the inputs")->delimiter(',')->required();
+  command->add_option("--states", settings->states, "Columns of the states")
+      ->delimiter(',')
+      ->required();
+  command->add_option("--inputs", settings->inputs, "Columns of the inputs")
+      ->delimiter(',')
+      ->required();
   command->add_option("--where", settings->where, "Only the rows with column=value");
-  command->add_option("--gamma-w", settings->gamma_w, "Bound on the energy of the disturbance, above 0")->required();
-  command->add_option("--D", settings->closeness, "Desired closeness: a number or a JSON file; default: not judged");
-  command->add_option("--known", settings->known, "JSON file with the known entries of [A B], null where unknown");
+  command
+      ->add_option("--gamma-w", settings->gamma_w,
+                   "Bound on the energy of the disturbance, above 0")
+      ->required();
+  command->add_option("--D", settings->closeness,
+                      "Desired closeness: a number or a JSON file; default: not judged");
+  command->add_option("--known", settings->known,
+                      "JSON file with the known entries of [A B], null where unknown");
   command->add_option("--out", settings->out, "File for the answer; default: standard output");
   return [settings] { return identify(*settings); };
 }

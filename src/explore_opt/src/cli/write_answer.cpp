@@ -8,7 +8,8 @@ namespace explore_opt {
 
 void writeAnswer(const std::string& path, const std::string& text) {
   if (!path.empty()) return quad_support::writeFileAtomically(path, text);
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  const bool written =
+      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (!written) throw quad_support::EnvironmentError("cannot write the answer to standard output");
 }
 
