@@ -17,9 +17,14 @@ class Spaces(FlightCase):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.prefix = tempfile.mkdtemp(prefix="installed ")
-        cls.addClassCleanup(shutil.rmtree, cls.prefix)
-        install = subprocess.run(["cmake", "--install", BUILD, "--prefix", cls.prefix], stdout=subprocess.PIPE,
+        with open(os.path.join(BUILD, "CMakeCache.txt")) as cache:
+            prefix = re.search(r"(?m)^CMAKE_INSTALL_PREFIX:\w+=(.*)$", cache.read()).group(1)
+        # Staged elsewhere, not `--prefix`: catkin writes its setup files where it was configured to. Nor can they stand a
+        # space in their path.
+        stage = tempfile.mkdtemp(prefix="installed.")
+        cls.addClassCleanup(shutil.rmtree, stage)
+        cls.prefix = stage + prefix
+        install = subprocess.run(["cmake", "--install", BUILD], env=dict(os.environ, DESTDIR=stage), stdout=subprocess.PIPE,
                                  stderr=subprocess.STDOUT, text=True)
         if install.returncode != 0:
             raise AssertionError("not installed:\n" + install.stdout)
