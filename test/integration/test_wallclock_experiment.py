@@ -42,7 +42,6 @@ class WallclockExperiment(FlightCase):
         delays = time["service_delay"]
         self.assertAlmostEqual(delays["estimated"], estimate, 9)
         self.assertAlmostEqual(delays["mean"], sum(float(r["service_delay"]) for r in timing) / len(timing), 9)
-        self.assertGreater(delays["mean"], -0.001)
 
     def test_wallclock_configuration(self):
         answer, results = self.fly(shipped("wallclock.yaml", *SHORT, ("num_samples: 213", "num_samples: 30"),
