@@ -45,7 +45,7 @@ def answer(code, text):
         os.rename(aside, out)
     path = parameter("status")
     with open(path + ".aside", "w") as status:
-        json.dump({"exit_code": code, "message": text}, status)
+        json.dump({"exit_code": code, "message": text, "results": out if code in (0, 3) else ""}, status)
     os.rename(path + ".aside", path)
     sys.exit(code)
 

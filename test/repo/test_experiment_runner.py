@@ -185,7 +185,7 @@ class Runner(unittest.TestCase):
         self.assertIn("leave --rate out", stderr)
 
     def test_arguments_are_checked(self):
-        for wrong in (["--mode", "fast"], ["--rate", "-1"], ["--rate", "nan"], ["--timeout", "-3"], ["--speed"]):
+        for wrong in (["--mode", "fast"], ["--rate", "-1"], ["--rate", "nan"], ["--timeout", "-3"], ["--launch", "none.launch"], ["--speed"]):
             with self.subTest(wrong):
                 self.assertEqual(self.run_it(*wrong)[0], 2)
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "quad_support/errors.hpp"
+
 namespace quad_control {
 namespace {
 
@@ -32,6 +34,16 @@ std::int64_t wholeSteps(const ConfigReader& timing, double period, double step) 
 
 }  // namespace
 
+const char* toString(TimingMode mode) { return mode == TimingMode::kLockstep ? "lockstep" : "wallclock"; }
+
+TimingMode timingMode(const std::string& option, TimingMode otherwise) {
+  for (const TimingMode mode : {TimingMode::kLockstep, TimingMode::kWallclock}) {
+    if (option == toString(mode)) return mode;
+  }
+  if (option.empty()) return otherwise;
+  throw quad_support::ConfigError(fmt::format("mode = {}; must be lockstep or wallclock", option));
+}
+
 ControlConfig readControlConfig(const ConfigReader& control, double sampling_period) {
   ControlConfig config;
   config.sampling_period = sampling_period;
@@ -48,8 +60,7 @@ TimingConfig readTimingConfig(const ConfigReader& timing, double step) {
   TimingConfig config;
   config.sampling_period = timing.number("sampling_period", Range::positive("s"));
   config.steps = wholeSteps(timing, config.sampling_period, step);
-  const std::string mode = timing.choice("mode", {"lockstep", "wallclock"});
-  config.mode = mode == "lockstep" ? TimingMode::kLockstep : TimingMode::kWallclock;
+  config.mode = timingMode(timing.choice("mode", {"lockstep", "wallclock"}), config.mode);
   config.forgetting_factor = timing.number("forgetting_factor", Range::open(0.0, 1.0));
   config.latency = timing.number("latency", Range::nonNegative("s"));
   if (config.latency >= config.sampling_period) {

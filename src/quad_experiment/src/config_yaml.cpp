@@ -42,7 +42,7 @@ std::string yaml(const ExperimentConfig& c, const std::string& urdf) {
       "timing:\n  sampling_period: {}  # [s]\n  mode: {}\n  forgetting_factor: {}\n  latency: {}  # [s]\n"
       "  jitter_std: {}  # [s]\n",
       shortest(c.timing.sampling_period),
-      c.timing.mode == quad_control::TimingMode::kLockstep ? "lockstep" : "wallclock",
+      quad_control::toString(c.timing.mode),
       shortest(c.timing.forgetting_factor), shortest(c.timing.latency), shortest(c.timing.jitter_std));
   y += fmt::format("control:\n  roll_pitch: {}\n  yaw: {}\n  altitude: {}\n  position_loop: {}\n  hold_time: {}  # [s]\n",
                    gains(c.control.roll_pitch), gains(c.control.yaw), gains(c.control.altitude),

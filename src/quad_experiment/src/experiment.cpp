@@ -122,6 +122,7 @@ FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight
   FlightResult result;
   result.name = flight == kTargetedFlight ? "targeted" : "random";
   result.trajectory = fly(plant, flightSpec(plan, signal, middleware), middleware, progress);
+  result.timing = plant.timing();
   result.csv = toCsv(result.trajectory, mixer, feedforward);
   result.verdict = judgeFlight(plan.knowledge, explorationData(result.trajectory, mixer, feedforward), result.trajectory);
   return result;
@@ -152,9 +153,12 @@ ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant, con
       const double time = static_cast<double>(o.time_ns) / 1e9;
       tell({name, time < config.control.hold_time ? "hold" : "explore", time, duration, o.p_WB.z(), climbRate(o)});
     }));
-    results.write(name + "/trajectory.csv", result.flights.back().csv);
+    const FlightResult& flown = result.flights.back();
+    results.write(name + "/trajectory.csv", flown.csv);
+    if (!flown.timing.empty()) results.write(name + "/timing.csv", timingCsv(flown.trajectory, flown.timing));
   }
   result.time = judgeTime(result.targeted().trajectory, config.timing.sampling_period);
+  result.delay = judgeDelay(result.targeted().timing);
   result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   results.write("summary.json", summaryJson(plan, result).dump(2) + "\n");
   results.write("table.txt", comparisonTable(plan, result));

@@ -2,11 +2,14 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <set>
+#include <stdexcept>
 
+#include "quad_control/flight_controller.hpp"
+#include "quad_control/mixer.hpp"
 #include "quad_experiment/streams.hpp"
 #include "quad_support/config_reader.hpp"
+#include "quad_support/errors.hpp"
 
 namespace quad_experiment {
 
@@ -67,15 +70,29 @@ DesignConfig readDesign(const ConfigReader& in) {
   return c;
 }
 
+/// The vehicle, once it is known that it can hover and be controlled.
+quad_sim::VehicleModel loadFlyable(const quad_sim::SimulationConfig& simulation) {
+  const quad_sim::VehicleModel vehicle = quad_sim::loadVehicle(simulation);
+  try {
+    quad_sim::hoverSpeed(vehicle, simulation.options.gravity);
+    quad_control::Mixer(quad_control::rotorGeometry(vehicle));
+  } catch (const std::invalid_argument& e) {
+    throw quad_support::ConfigError(simulation.urdf + ": " + e.what());
+  }
+  return vehicle;
+}
+
 }  // namespace
 
-ExperimentConfig readExperimentConfig(const std::string& path) {
+ExperimentConfig readExperimentConfig(const std::string& path, const std::string& mode) {
   const ConfigReader in = ConfigReader::fromFile(path);
   ExperimentConfig c;
   c.simulation = quad_sim::readSimulationConfig(in.section("vehicle"), in.section("simulation"));
   c.timing = quad_control::readTimingConfig(in.section("timing"), c.simulation.options.step);
+  c.timing.mode = quad_control::timingMode(mode, c.timing.mode);
+  if (c.timing.mode == quad_control::TimingMode::kWallclock) c.timing.latency = c.timing.jitter_std = 0.0;
   c.control = quad_control::readControlConfig(in.section("control"), c.timing.sampling_period);
-  const double mass = quad_sim::loadVehicle(c.simulation).mass;
+  const double mass = loadFlyable(c.simulation).mass;
   c.estimate = readEstimate(in.section("estimate"), {c.timing.sampling_period, mass});
   c.design = readDesign(in.section("design"));
   for (const auto& signal : in.choices("comparison", {"gaussian"})) {
@@ -88,10 +105,7 @@ ExperimentConfig readExperimentConfig(const std::string& path) {
 }
 
 MiddlewareConfig middlewareConfig(const ExperimentConfig& config) {
-  const double step = config.simulation.options.step;
-  // On the wall clock the middleware is the real one.
-  if (config.timing.mode == quad_control::TimingMode::kWallclock) return {config.timing.sampling_period, 0.0, 0.0, step};
-  return {config.timing.sampling_period, config.timing.latency, config.timing.jitter_std, step};
+  return {config.timing.sampling_period, config.timing.latency, config.timing.jitter_std, config.simulation.options.step};
 }
 
 }  // namespace quad_experiment

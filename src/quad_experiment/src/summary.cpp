@@ -82,6 +82,11 @@ Json flightPart(const FlightVerdict& v) {
   return j;
 }
 
+Json delayPart(const std::optional<DelayVerdict>& delay) {
+  if (!delay) return nullptr;
+  return {{"mean", delay->mean}, {"std", delay->std}, {"estimated", delay->estimated}, {"without_wait", delay->without_wait}};
+}
+
 }  // namespace
 
 Json summaryJson(const ExperimentPlan& plan, const ExperimentResult& result) {
@@ -101,7 +106,8 @@ Json summaryJson(const ExperimentPlan& plan, const ExperimentResult& result) {
   j["time"] = {{"dT_des", plan.config.timing.sampling_period},
                {"mean", result.time.mean},
                {"std", result.time.std},
-               {"max_abs_error", result.time.max_abs_error}};
+               {"max_abs_error", result.time.max_abs_error},
+               {"service_delay", delayPart(result.delay)}};
   j["targeted"] = nullptr;
   j["random"] = nullptr;
   for (const FlightResult& flight : result.flights) j[flight.name] = flightPart(flight.verdict);

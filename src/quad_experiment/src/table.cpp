@@ -121,8 +121,13 @@ std::string comparisonTable(const ExperimentPlan& plan, const ExperimentResult& 
   text += fmt::format("\ncertified: no signal below gamma_e = {:.6g} can promise this; designed {:.6g} (gap {:.1e}), flown {:.6g}\n",
                       plan.design.lower_bound, plan.design.gamma_e, plan.design.gap,
                       Eigen::Map<const Eigen::VectorXd>(plan.amplitudes.data(), static_cast<Eigen::Index>(plan.amplitudes.size())).norm());
-  text += fmt::format("intervals: mean {:.6f} s, std {:.3g} s, largest error {:.3g} s\n\n", result.time.mean, result.time.std,
+  text += fmt::format("intervals: mean {:.6f} s, std {:.3g} s, largest error {:.3g} s\n", result.time.mean, result.time.std,
                       result.time.max_abs_error);
+  if (const auto& delay = result.delay) {
+    text += fmt::format("service delay: mean {:.3g} s, std {:.3g} s, estimated at the end {:.3g} s\n", delay->mean, delay->std,
+                        delay->estimated);
+  }
+  text += '\n';
   for (const FlightResult& flight : result.flights) text += promise(plan, flight);
   text += fmt::format("\nverdict: the promise was {}\n", result.ok() ? "KEPT" : "BROKEN");
   return text;

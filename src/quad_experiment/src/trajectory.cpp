@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <stdexcept>
+
 #include "quad_support/number_format.hpp"
 
 namespace quad_experiment {
@@ -70,6 +72,24 @@ std::string toCsv(const Trajectory& trajectory, const quad_control::Mixer& mixer
       const quad_control::ControlOutput& u = row.command;
       for (const double value : {u.thrust, u1_fb, u.t_eff, u1_fb - feedforward, u.tau_phi, u.tau_theta, u.tau_psi}) cell(csv, value);
       for (const double w : row.rotor_speed_after) cell(csv, w);
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+std::string timingCsv(const Trajectory& trajectory, const std::vector<IntervalTiming>& timing) {
+  if (trajectory.rows.size() != timing.size() + 1) {
+    throw std::invalid_argument(fmt::format("{} timings of {} intervals", timing.size(), trajectory.rows.size() - 1));
+  }
+  std::string csv = "k,t,dT,dT_ctrl,service_delay,estimated_delay\n";
+  const auto first = static_cast<std::int64_t>(trajectory.firstExplored());
+  for (std::size_t i = 0; i < timing.size(); ++i) {
+    const std::int64_t time = trajectory.rows[i].state.odometry.time_ns;
+    csv += std::to_string(static_cast<std::int64_t>(i) - first);
+    for (const double value : {seconds(time), seconds(trajectory.rows[i].next_time_ns - time), timing[i].wait,
+                               timing[i].service_delay, timing[i].estimated_delay}) {
+      cell(csv, value);
     }
     csv += '\n';
   }

@@ -104,4 +104,18 @@ TimeVerdict judgeTime(const Trajectory& trajectory, double sampling_period) {
   return {statistics.mean(), statistics.std(), statistics.maxAbsError()};
 }
 
+std::optional<DelayVerdict> judgeDelay(const std::vector<IntervalTiming>& timing) {
+  if (timing.empty()) return std::nullopt;
+  quad_control::IntervalStatistics statistics;
+  DelayVerdict v;
+  for (const IntervalTiming& interval : timing) {
+    statistics.add(interval.service_delay, 0.0);
+    if (interval.wait <= 0.0) ++v.without_wait;
+  }
+  v.mean = statistics.mean();
+  v.std = statistics.std();
+  v.estimated = timing.back().estimated_delay;
+  return v;
+}
+
 }  // namespace quad_experiment

@@ -75,6 +75,33 @@ TEST(ExperimentConfig, MistakesNameKeyValueAndLimit) {
   expectComplaint({{"urdf: hummingbird.urdf", "urdf: none.urdf"}}, {"vehicle.urdf = none.urdf"});
 }
 
+TEST(ExperimentConfig, TheModeAskedForReplacesTheFiles) {
+  const ExperimentConfig file = readExperimentConfig("config/thesis.yaml", "lockstep");
+  EXPECT_EQ(toYaml(file), toYaml(readExperimentConfig("config/thesis.yaml")));
+  const ExperimentConfig real = readExperimentConfig("config/thesis.yaml", "wallclock");
+  EXPECT_EQ(real.timing.mode, quad_control::TimingMode::kWallclock);
+  EXPECT_EQ(real.timing.latency, 0.0);  // the middleware is not simulated there
+  EXPECT_EQ(real.timing.jitter_std, 0.0);
+  EXPECT_NE(configHash(real), configHash(file));
+  EXPECT_THROW(readExperimentConfig("config/thesis.yaml", "warp"), quad_support::ConfigError);
+}
+
+TEST(ExperimentConfig, VehicleThatCannotFlyIsNamed) {
+  std::string urdf = quad_support::readFile(readExperimentConfig("config/thesis.yaml").simulation.urdf);
+  for (std::size_t at = 0; (at = urdf.find("<momentConstant>", at)) != std::string::npos; ++at) {
+    urdf.replace(at, urdf.find('<', at + 1) - at, "<momentConstant>0");
+  }
+  const Scratch scratch;
+  quad_support::writeFileAtomically(scratch.path("bee.urdf"), urdf);
+  quad_support::writeFileAtomically(scratch.path("c.yaml"), shippedConfig("thesis.yaml", {{"urdf: hummingbird.urdf", "urdf: bee.urdf"}}));
+  try {
+    readExperimentConfig(scratch.path("c.yaml"));
+    FAIL() << "without drag torque nothing turns the vehicle's heading";
+  } catch (const quad_support::ConfigError& e) {
+    EXPECT_EQ(std::string(e.what()).rfind(scratch.path("bee.urdf") + ": control allocation: ", 0), 0u) << e.what();
+  }
+}
+
 TEST(ExperimentConfig, EstimateCanBeDrawn) {
   const Scratch scratch;
   const std::string path = scratch.path("c.yaml");

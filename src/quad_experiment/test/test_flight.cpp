@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "quad_experiment/flight.hpp"
+#include "quad_experiment/verdicts.hpp"
 #include "quad_support/errors.hpp"
 
 using namespace quad_experiment;
@@ -71,6 +73,28 @@ TEST(Fly, WithoutSignalItEndsAfterTheHold) {
   const Trajectory trajectory = fly(plant, hold, kExact);
   EXPECT_EQ(trajectory.rows.size(), 21u);
   EXPECT_EQ(trajectory.firstExplored(), 21u);
+}
+
+TEST(Fly, TimingFileHasARowAnInterval) {
+  FakePlant plant;
+  const Trajectory trajectory = fly(plant, spec(2), kExact);
+  std::vector<IntervalTiming> timing(7, {0.08, 0.02, 0.015});
+  const std::string csv = timingCsv(trajectory, timing);
+  EXPECT_EQ(csv.rfind("k,t,dT,dT_ctrl,service_delay,estimated_delay\n-5,0,0.1,0.08,0.02,0.015\n", 0), 0u) << csv;
+  EXPECT_NE(csv.find("\n1,0.6,0.1,0.08,0.02,0.015\n"), std::string::npos) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 8);
+  timing.pop_back();
+  EXPECT_THROW(timingCsv(trajectory, timing), std::invalid_argument);
+}
+
+TEST(Fly, DelaysAreJudged) {
+  EXPECT_FALSE(judgeDelay({}));
+  const auto delay = judgeDelay({{0.1, 0.01, 0.01}, {0.09, 0.03, 0.02}, {0.0, 0.02, 0.02}});
+  ASSERT_TRUE(delay);
+  EXPECT_NEAR(delay->mean, 0.02, 1e-15);
+  EXPECT_NEAR(delay->std, 0.01, 1e-15);  // of n - 1
+  EXPECT_EQ(delay->estimated, 0.02);
+  EXPECT_EQ(delay->without_wait, 1);
 }
 
 TEST(Fly, GroundAndDivergenceEndTheFlight) {

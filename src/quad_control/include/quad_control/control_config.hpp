@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "quad_control/pi_controller.hpp"
 #include "quad_support/config_reader.hpp"
@@ -19,6 +20,9 @@ struct ControlConfig {
 };
 
 enum class TimingMode { kLockstep, kWallclock };
+const char* toString(TimingMode mode);
+/// @param option  lockstep, wallclock, or empty for `otherwise`. @throws quad_support::ConfigError for another word
+TimingMode timingMode(const std::string& option, TimingMode otherwise);
 
 /// Section `timing:`.
 struct TimingConfig {

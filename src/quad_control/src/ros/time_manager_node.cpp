@@ -1,7 +1,8 @@
-// Node time_manager_node: moves simulated time by control intervals, thesis section 1.2.4. Parameter: ~config.
+// Node time_manager_node: moves simulated time by control intervals, thesis section 1.2.4. Parameters: ~config, ~mode.
 #include <fmt/format.h>
 #include <ros/ros.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <exception>
@@ -62,6 +63,7 @@ class TimeManagerNode {
       const std::int64_t before = quad_sim::simulatedTime(command_stamp_);
       response.service_delay = timing_.mode == TimingMode::kLockstep ? stepOnce(request, before, response)
                                                                      : runForAWhile(request, before, response);
+      response.estimated_service_delay = manager_.estimatedDelay();
       delays_.add(response.service_delay, 0.0);
       const std::int64_t after = quad_sim::simulatedTime(command_stamp_);
       intervals_.add(1e-9 * static_cast<double>(after - before), timing_.sampling_period);
@@ -73,7 +75,7 @@ class TimeManagerNode {
       requireFlight();
       simulator_.read(command_stamp_, positive(request.timeout));
       flying_ = false;
-      response.mode = timing_.mode == TimingMode::kLockstep ? "lockstep" : "wallclock";
+      response.mode = toString(timing_.mode);
       response.intervals = static_cast<std::uint32_t>(intervals_.count());
       response.desired = timing_.sampling_period;
       response.mean = intervals_.mean();
@@ -91,8 +93,10 @@ class TimeManagerNode {
     step.steps = request.steps;
     step.hold_steps = request.hold_steps;
     step.command_stamp = command_stamp_;
-    step.timeout = request.timeout;
-    finish(simulator_.step(step, before), response);
+    insist(request.timeout, [&](double timeout) {
+      step.timeout = timeout;
+      finish(simulator_.step(step, before), response);
+    });
     return since(start);
   }
 
@@ -103,8 +107,11 @@ class TimeManagerNode {
           "hold_steps = {}; must be 0 in wall-clock mode, where the latency is the middleware's own (timing.latency: 0)",
           request.hold_steps));
     }
-    simulator_.read(command_stamp_, request.timeout);  // the command is in, so unpausing flies with it
+    insist(request.timeout, [&](double timeout) {
+      simulator_.read(command_stamp_, timeout);  // the command is in, so unpausing flies with it
+    });
     const double wait = manager_.waitFor(request.steps * step_);
+    response.wait = wait;
     simulator_.unpause();
     std::this_thread::sleep_for(std::chrono::duration<double>(wait));
     simulator_.pause();
@@ -112,6 +119,24 @@ class TimeManagerNode {
     const double interval = 1e-9 * static_cast<double>(quad_sim::simulatedTime(command_stamp_) - before);
     manager_.measured(wait, interval);
     return interval - wait;
+  }
+
+  // Calls ask(timeout [s]), which needs the controller's command. The first one of a flight may be lost, for the nodes
+  // are still connecting then: nothing has been run, so the state is published again and the same asked once more.
+  template <class Ask>
+  void insist(double timeout, const Ask& ask) {
+    if (intervals_.count() > 0) return ask(timeout);
+    constexpr double kPatience = 0.5, kPause = 0.02;  // [s]
+    const WallClock::time_point start = WallClock::now();
+    for (;;) {
+      try {
+        return ask(std::min(kPatience, timeout));
+      } catch (const quad_support::EnvironmentError&) {
+        if (since(start) >= timeout) throw;
+      }
+      std::this_thread::sleep_for(std::chrono::duration<double>(kPause));
+      simulator_.read(ros::Time(), timeout);
+    }
   }
 
   template <class Response>
@@ -157,7 +182,9 @@ int main(int argc, char** argv) {
   return quad_support::runProgram("time_manager_node", [&] {
     ros::init(argc, argv, "time_manager");
     const ros::NodeHandle keeps_ros_running;
-    const quad_control::NodeConfig config = quad_control::readNodeConfig();
+    quad_control::NodeConfig config = quad_control::readNodeConfig();
+    const auto mode = ros::param::param<std::string>("~mode", "");  // in place of the file's
+    config.timing.mode = quad_control::timingMode(mode, config.timing.mode);
     const quad_control::TimeManagerNode node(config.timing, config.step);
     return quad_control::spinUntilInterrupted();
   });

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,7 @@ struct FlightResult {
   std::string name;  ///< "targeted" or "random": its folder
   std::string csv;   ///< trajectory.csv
   Trajectory trajectory;
+  std::vector<IntervalTiming> timing;  ///< of the intervals; empty unless the clock on the wall paced them
   FlightVerdict verdict;
 };
 
@@ -58,6 +60,7 @@ struct ExperimentResult {
   std::string mode;  ///< "lockstep", "wallclock" (over ROS) or "in_process"
   std::vector<FlightResult> flights;
   TimeVerdict time;  ///< of the targeted flight
+  std::optional<DelayVerdict> delay;  ///< likewise, if the clock on the wall paced it
   double wall_seconds = 0.0;
 
   const FlightResult& targeted() const { return flights.front(); }
@@ -76,7 +79,7 @@ struct ExperimentStatus {
 using StatusCallback = std::function<void(const ExperimentStatus&)>;
 
 /// Runs everything and fills `results` (not yet committed): config.yaml, provenance.json and design.json before the first
-/// flight; trajectories, summary.json and table.txt after the last.
+/// flight; trajectories (on the wall clock timing.csv beside them), summary.json and table.txt after the last.
 ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant, const std::string& mode,
                                quad_support::ResultDirectory& results, const StatusCallback& status = {});
 

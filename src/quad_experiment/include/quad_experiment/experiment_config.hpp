@@ -45,8 +45,10 @@ struct ExperimentConfig {
   std::uint64_t seed = 0;     ///< of jitter and random signals
 };
 
-/// Reads and checks the file. @throws quad_support::ConfigError naming file, line, key, value and limit
-ExperimentConfig readExperimentConfig(const std::string& path);
+/// Reads and checks the file. In wall-clock mode latency and jitter become 0: the middleware is the real one.
+/// @param mode  lockstep, wallclock, or empty: timing.mode of the file
+/// @throws quad_support::ConfigError naming file, line, key, value and limit
+ExperimentConfig readExperimentConfig(const std::string& path, const std::string& mode = "");
 
 /// Every value used, as YAML that reads back to the same configuration: the URDF's path is absolute, a drawn estimate
 /// stands as the numbers drawn.

@@ -7,6 +7,7 @@
 
 #include "quad_control/flight_controller.hpp"
 #include "quad_control/mixer.hpp"
+#include "quad_experiment/plant.hpp"
 #include "quad_sim/state.hpp"
 
 namespace quad_experiment {
@@ -46,5 +47,9 @@ double climbRate(const quad_sim::Odometry& odometry);
 /// phi, theta, psi [rad], u1_cmd, u1_fb, t_eff_cmd, t_eff_fb [N], tau_phi, tau_theta, tau_psi [N m], w0 … [rad/s].
 /// Doubles are printed so that they read back exactly; the last row has no dt and no inputs (empty cells).
 std::string toCsv(const Trajectory& trajectory, const quad_control::Mixer& mixer, double feedforward);
+
+/// timing.csv of a flight on the wall clock (thesis Figs 1.6, 1.7): k, t as in trajectory.csv, dT, dT_ctrl, service_delay,
+/// estimated_delay [s]; one row an interval. @throws std::invalid_argument unless there is an entry for each
+std::string timingCsv(const Trajectory& trajectory, const std::vector<IntervalTiming>& timing);
 
 }  // namespace quad_experiment

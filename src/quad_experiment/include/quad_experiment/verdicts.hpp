@@ -65,4 +65,13 @@ struct TimeVerdict {
 };
 TimeVerdict judgeTime(const Trajectory& trajectory, double sampling_period);
 
+/// Service delays x^noise of a flight on the wall clock.
+struct DelayVerdict {
+  double mean = 0.0, std = 0.0;  ///< [s]
+  double estimated = 0.0;        ///< x^ after the last interval [s]
+  int without_wait = 0;          ///< intervals in which the delay alone took dT or more
+};
+/// @returns none without timings
+std::optional<DelayVerdict> judgeDelay(const std::vector<IntervalTiming>& timing);
+
 }  // namespace quad_experiment

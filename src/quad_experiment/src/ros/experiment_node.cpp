@@ -41,14 +41,6 @@ NodeOptions readOptions() {
   return o;
 }
 
-ExperimentConfig readConfig(const NodeOptions& options) {
-  ExperimentConfig config = readExperimentConfig(options.config);
-  if (options.mode == "lockstep") config.timing.mode = quad_control::TimingMode::kLockstep;
-  else if (options.mode == "wallclock") config.timing.mode = quad_control::TimingMode::kWallclock;
-  else if (!options.mode.empty()) throw quad_support::ConfigError("~mode = " + options.mode + "; must be lockstep or wallclock");
-  return config;
-}
-
 /// Publishes what is going on, at most ten times a second.
 class StatusTopic {
  public:
@@ -71,23 +63,26 @@ class StatusTopic {
   std::string last_flight_, last_phase_;
 };
 
-int fly(ros::NodeHandle& node, const NodeOptions& options) {
-  const ExperimentConfig config = readConfig(options);
+/// @param written  set to the results directory once it is there
+int fly(ros::NodeHandle& node, const NodeOptions& options, std::string& written) {
+  const ExperimentConfig config = readExperimentConfig(options.config, options.mode);
   quad_support::ResultDirectory results(options.out, options.force);
   RosPlantOptions plant_options = options.plant;
   if (plant_options.controller.empty()) {
     plant_options.controller = "/" + config.simulation.vehicle_namespace + "/attitude_altitude_controller";
   }
+  plant_options.mode = quad_control::toString(config.timing.mode);
   RosPlant plant(node, plant_options, options.start_timeout);
   StatusTopic topic(node);
-  const std::string mode = config.timing.mode == quad_control::TimingMode::kLockstep ? "lockstep" : "wallclock";
-  const ExperimentResult result = runExperiment(config, plant, mode, results, [&](const ExperimentStatus& s) { topic(s); });
+  const ExperimentResult result = runExperiment(config, plant, plant_options.mode, results, [&](const ExperimentStatus& s) { topic(s); });
   results.commit();
-  std::printf("results: %s\n", results.path().c_str());
+  written = results.path();
+  std::printf("results: %s\n", written.c_str());
   return result.exitCode();
 }
 
-/// Flies, and leaves exit code and reason in the status file, since roslaunch passes on neither.
+/// Flies, and leaves exit code, reason and the results' place (if there are any) in the status file, since roslaunch
+/// passes on none of them.
 int flyAndReport(int argc, char** argv) {
   ros::init(argc, argv, "experiment", ros::init_options::NoSigintHandler);
   ros::NodeHandle node;
@@ -95,10 +90,11 @@ int flyAndReport(int argc, char** argv) {
   spinner.start();
   std::string status;
   ros::param::get("~status", status);
-  std::string message;
-  const int code = quad_support::runProgram("experiment", [&] { return fly(node, readOptions()); }, &message);
+  std::string message, written;
+  const int code = quad_support::runProgram("experiment", [&] { return fly(node, readOptions(), written); }, &message);
   if (!status.empty()) {
-    quad_support::writeFileAtomically(status, nlohmann::ordered_json{{"exit_code", code}, {"message", message}}.dump() + "\n");
+    const nlohmann::ordered_json answer = {{"exit_code", code}, {"message", message}, {"results", written}};
+    quad_support::writeFileAtomically(status, answer.dump() + "\n");
   }
   return code;
 }

@@ -81,6 +81,7 @@ quad_sim::Measurement RosPlant::begin(const quad_control::FlightPlan& plan) {
   begin.request.timeout = options_.timeout;
   ask(begin_, begin);
   started_ = std::chrono::steady_clock::now();
+  timing_.clear();
   return toMeasurement(begin.response.odometry, begin.response.motor_speed);
 }
 
@@ -90,7 +91,14 @@ quad_sim::Measurement RosPlant::advance(const Interval& interval) {
   call.request.hold_steps = static_cast<std::uint32_t>(interval.hold_steps);
   call.request.timeout = options_.timeout;
   ask(advance_, call);
+<<<<<<< HEAD
   pace(quad_sim::simulatedTime(call.response.odometry.header.stamp));
+=======
+  if (options_.mode == "wallclock") {
+    timing_.push_back({call.response.wait, call.response.service_delay, call.response.estimated_service_delay});
+  }
+  pace(nanoseconds(call.response.odometry.header.stamp));
+>>>>>>> integ
   return toMeasurement(call.response.odometry, call.response.motor_speed);
 }
 
@@ -98,6 +106,10 @@ std::vector<quad_control::ControlOutput> RosPlant::end() {
   quad_control::TimingReport report;
   report.request.timeout = options_.timeout;
   ask(end_, report);
+  if (report.response.mode != options_.mode) {
+    throw quad_support::ConfigError(fmt::format("{} works in mode {}, the experiment in {}; set the same ~mode for both",
+                                                options_.time_manager, report.response.mode, options_.mode));
+  }
   quad_control::FlightRecord record;
   ask(flight_record_, record);
   const auto& r = record.response;

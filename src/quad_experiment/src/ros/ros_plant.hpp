@@ -13,6 +13,7 @@ namespace quad_experiment {
 struct RosPlantOptions {
   std::string time_manager;  ///< name of the time-manager node
   std::string controller;    ///< name of the controller node
+  std::string mode;          ///< lockstep or wallclock: what the time manager has to say of itself
   double timeout = 3.0;      ///< [s] wall time a node may take for an answer
   double rate = 0.0;         ///< simulated seconds per second of wall time at most; 0: as fast as possible
 };
@@ -27,6 +28,7 @@ class RosPlant : public Plant {
   quad_sim::Measurement begin(const quad_control::FlightPlan& plan) override;
   quad_sim::Measurement advance(const Interval& interval) override;
   std::vector<quad_control::ControlOutput> end() override;
+  std::vector<IntervalTiming> timing() const override { return timing_; }
 
  private:
   void pace(std::int64_t time_ns);
@@ -34,6 +36,7 @@ class RosPlant : public Plant {
   RosPlantOptions options_;
   ros::ServiceClient set_flight_plan_, flight_record_, begin_, advance_, end_;
   std::chrono::steady_clock::time_point started_;
+  std::vector<IntervalTiming> timing_;
 };
 
 }  // namespace quad_experiment
