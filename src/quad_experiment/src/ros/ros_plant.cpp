@@ -91,14 +91,10 @@ quad_sim::Measurement RosPlant::advance(const Interval& interval) {
   call.request.hold_steps = static_cast<std::uint32_t>(interval.hold_steps);
   call.request.timeout = options_.timeout;
   ask(advance_, call);
-<<<<<<< HEAD
-  pace(quad_sim::simulatedTime(call.response.odometry.header.stamp));
-=======
   if (options_.mode == "wallclock") {
     timing_.push_back({call.response.wait, call.response.service_delay, call.response.estimated_service_delay});
   }
-  pace(nanoseconds(call.response.odometry.header.stamp));
->>>>>>> integ
+  pace(quad_sim::simulatedTime(call.response.odometry.header.stamp));
   return toMeasurement(call.response.odometry, call.response.motor_speed);
 }
 
