@@ -119,10 +119,12 @@ FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight
   const std::vector<double>& signal = flight == kTargetedFlight ? plan.targeted_signal : plan.gaussian_signal;
   const quad_control::Mixer mixer = quad_control::Mixer(quad_control::rotorGeometry(plan.vehicle));
   const double feedforward = plan.knowledge.feedforward();
+  const auto begin = std::chrono::steady_clock::now();
   FlightResult result;
   result.name = flight == kTargetedFlight ? "targeted" : "random";
   result.trajectory = fly(plant, flightSpec(plan, signal, middleware), middleware, progress);
   result.timing = plant.timing();
+  result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result.csv = toCsv(result.trajectory, mixer, feedforward);
   result.verdict = judgeFlight(plan.knowledge, explorationData(result.trajectory, mixer, feedforward), result.trajectory);
   return result;

@@ -1,8 +1,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "explore_opt/altitude_model.hpp"
 #include "explore_opt/exploration_signal.hpp"
 #include "quad_experiment/experiment.hpp"
+#include "quad_support/errors.hpp"
 #include "quad_support/sha256.hpp"
 
 namespace quad_experiment {
@@ -38,6 +40,17 @@ Json designPart(const ExperimentPlan& plan) {
           {"desired_closeness", plan.config.design.desired_closeness}};
 }
 
+/// The choice of thesis section 2.4.1, {3, 6, 8, 10}/8 of the crossover on the grid, for a model; null if it has none.
+Json linesPart(const explore_opt::AltitudeParameters& model) {
+  try {
+    const auto grid = explore_opt::crossoverGrid(model.mass, model.sampling_period);
+    return {{"crossover_hz", grid.crossover}, {"exploration_time_s", grid.exploration_time}, {"T", grid.num_samples},
+            {"harmonics", grid.harmonics}};
+  } catch (const quad_support::DataError&) {  // too few samples for ten lines
+    return nullptr;
+  }
+}
+
 Json initialPart(const ExperimentPlan& plan) {
   return {{"dT", plan.knowledge.estimate.sampling_period},
           {"m", plan.knowledge.estimate.mass},
@@ -45,7 +58,8 @@ Json initialPart(const ExperimentPlan& plan) {
           {"lambda_D0", number(plan.start.lambda_D0)},
           {"gamma_w_true", plan.start.gamma_w_true},
           {"gamma_w_compensated", plan.start.gamma_w_compensated},
-          {"desired_exceeds_initial", plan.start.asks_for_more}};
+          {"desired_exceeds_initial", plan.start.asks_for_more},
+          {"lines", {{"from_truth", linesPart(plan.knowledge.truth)}, {"from_estimate", linesPart(plan.knowledge.estimate)}}}};
 }
 
 Json flightPart(const FlightVerdict& v) {
@@ -110,7 +124,10 @@ Json summaryJson(const ExperimentPlan& plan, const ExperimentResult& result) {
                {"service_delay", delayPart(result.delay)}};
   j["targeted"] = nullptr;
   j["random"] = nullptr;
-  for (const FlightResult& flight : result.flights) j[flight.name] = flightPart(flight.verdict);
+  for (const FlightResult& flight : result.flights) {
+    j[flight.name] = flightPart(flight.verdict);
+    j[flight.name]["wall_seconds"] = flight.wall_seconds;
+  }
   j["wall_seconds"] = result.wall_seconds;
   return j;
 }

@@ -52,6 +52,7 @@ struct FlightResult {
   Trajectory trajectory;
   std::vector<IntervalTiming> timing;  ///< of the intervals; empty unless the clock on the wall paced them
   FlightVerdict verdict;
+  double wall_seconds = 0.0;  ///< of the flying alone
 };
 
 FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight, const FlightProgress& progress = {});
