@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "design_tools.hpp"
@@ -8,6 +7,7 @@
 #include "factor_program.hpp"
 #include "ipopt_solver.hpp"
 #include "quad_support/interrupt.hpp"
+#include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
@@ -35,11 +35,11 @@ struct LocalSolution {
 bool satisfiesKkt(const DesignTask& task, const VectorXd& a, const MatrixXd& Z) {
   const double energy = a.squaredNorm();
   const VectorXd stationarity = a - 2.0 * task.response.gramOf(Z) * a;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> cone(Z, Eigen::EigenvaluesOnly);
+  const double least = quad_support::symmetricEigenvalues(Z)(0);
   const double complementarity =
       Z.cwiseProduct(task.response.information(a)).sum() - task.gamma_w * Z.trace();
   return stationarity.norm() <= kKktTolerance * a.norm() &&
-         cone.eigenvalues()(0) >= -kKktTolerance * std::abs(Z.trace()) &&
+         least >= -kKktTolerance * std::abs(Z.trace()) &&
          std::abs(complementarity) <= kKktTolerance * energy;
 }
 
@@ -66,8 +66,8 @@ LocalSolution polish(const DesignTask& task, IpoptSolver& solver, const VectorXd
 /// The cheapest of: `fallback`, the leading eigenvector of 𝒜, and random vectors with covariance 𝒜.
 VectorXd roundLifted(const DesignTask& task, const QuadraticProgram& scaled, const MatrixXd& lifted,
                      const VectorXd& fallback, std::uint64_t seed) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(lifted);
-  const VectorXd roots = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  const quad_support::SymmetricEigen eigen(lifted);
+  const VectorXd roots = eigen.values.cwiseMax(0.0).cwiseSqrt();
   const auto p = roots.size();
   VectorXd best = fallback;
   double least = task.cost(fallback);
@@ -75,7 +75,7 @@ VectorXd roundLifted(const DesignTask& task, const QuadraticProgram& scaled, con
     const VectorXd weights =
         i == 0 ? VectorXd(VectorXd::Unit(p, p - 1))
                : VectorXd(roots.cwiseProduct(randomDirection(task, seed, 1000 + i)));
-    const VectorXd direction = scaled.toAmplitudes(eigen.eigenvectors() * weights);
+    const VectorXd direction = scaled.toAmplitudes(eigen.vectors * weights);
     const double cost = task.cost(direction);
     if (cost < least) {
       least = cost;

@@ -1,9 +1,8 @@
 #include "design_tools.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <cmath>
 
+#include "quad_support/linear_algebra.hpp"
 #include "quad_support/random_stream.hpp"
 
 namespace explore_opt {
@@ -22,7 +21,7 @@ double largestEigenvalue(const PredictedResponse& response, const MatrixXd& Z) {
   for (const MatrixXd& F : response.factors) sizes.factors.push_back(F.cwiseAbs());
   const double rounding =
       8.0 * std::numeric_limits<double>::epsilon() * sizes.gramOf(Z.cwiseAbs()).norm();
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(response.gramOf(Z)).eigenvalues().tail(1)(0) +
+  return quad_support::SymmetricEigen(response.gramOf(Z)).values.tail(1)(0) +
          rounding;
 }
 
@@ -34,7 +33,7 @@ bool DesignTask::excites(const VectorXd& direction) const {
   const VectorXd lengths = F.colwise().norm();
   if (!(lengths.minCoeff() > 0.0) || !lengths.allFinite()) return false;
   F = F * lengths.cwiseInverse().asDiagonal();
-  const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(F).singularValues();
+  const VectorXd sigma = quad_support::singularValues(F);
   const double ratio = sigma(sigma.size() - 1) / sigma(0);
   return ratio * ratio > kLeastEigenvalueRatio;
 }
@@ -52,10 +51,10 @@ VectorXd DesignTask::onBoundary(const VectorXd& direction) const {
 }
 
 Certificate DesignTask::certify(const MatrixXd& Z) const {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> cone(Z);
-  const VectorXd positive = cone.eigenvalues().cwiseMax(0.0);
+  const quad_support::SymmetricEigen cone(Z);
+  const VectorXd positive = cone.values.cwiseMax(0.0);
   Certificate certificate;
-  certificate.Z = cone.eigenvectors() * positive.asDiagonal() * cone.eigenvectors().transpose();
+  certificate.Z = cone.vectors * positive.asDiagonal() * cone.vectors.transpose();
   certificate.Z = 0.5 * (certificate.Z + certificate.Z.transpose()).eval();
   const double largest = largestEigenvalue(response, certificate.Z);
   const double square = gamma_w * certificate.Z.trace() / largest;

@@ -1,9 +1,10 @@
 #include "dual_bound.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <cmath>
+
+#include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
@@ -56,7 +57,7 @@ struct Ray {
 VectorXd relativeEigenvalues(const MatrixXd& m, const MatrixXd& direction) {
   const MatrixXd white =
       Eigen::Map<const MatrixXd>(whitened(m, {direction}).data(), m.rows(), m.cols());
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(white, Eigen::EigenvaluesOnly).eigenvalues();
+  return quad_support::symmetricEigenvalues(white);
 }
 
 /// One Newton step with backtracking; returns the Newton decrement before it, 0 if it cannot go on.
@@ -147,9 +148,9 @@ DualSolution solveDual(const QuadraticProgram& program, double gap) {
   const DualBarrier barrier(program);
   const int n = program.size(), p = program.numAmplitudes();
   const MatrixXd identity = MatrixXd::Identity(n, n);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(program.H(identity), Eigen::EigenvaluesOnly);
+  const VectorXd eigenvalues = quad_support::symmetricEigenvalues(program.H(identity));
   DualSolution dual;
-  dual.Z = identity / (4.0 * eigen.eigenvalues()(p - 1));
+  dual.Z = identity / (4.0 * eigenvalues(p - 1));
   const double last = gap / (n + p);
   double mu = 0.1 / (n + p);  // the maximum is at most 1/2, the cost of the reference
   for (;;) {

@@ -1,7 +1,8 @@
 #include "factor_program.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+
+#include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 
@@ -102,9 +103,9 @@ bool FactorProgram::hessian(const VectorXd&, double weight, const VectorXd& mult
 
 VectorXd FactorProgram::startAt(const VectorXd& a) const {
   // L Lᵀ = V max(D, 0) Vᵀ: the triangle of a QR of the root, transposed.
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(program_.N(a) - program_.rightSide());
-  const VectorXd roots = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  const MatrixXd root = roots.asDiagonal() * eigen.eigenvectors().transpose();
+  const quad_support::SymmetricEigen eigen(program_.N(a) - program_.rightSide());
+  const VectorXd roots = eigen.values.cwiseMax(0.0).cwiseSqrt();
+  const MatrixXd root = roots.asDiagonal() * eigen.vectors.transpose();
   const MatrixXd U = Eigen::HouseholderQR<MatrixXd>(root).matrixQR().triangularView<Eigen::Upper>();
   VectorXd x(numVariables());
   x.head(p_) = a;

@@ -1,12 +1,12 @@
 #include "explore_opt/initial_estimate.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "checks.hpp"
 #include "explore_opt/altitude_model.hpp"
+#include "quad_support/linear_algebra.hpp"
 #include "quad_support/random_stream.hpp"
 
 namespace explore_opt {
@@ -93,10 +93,9 @@ bool asksForMore(const Eigen::MatrixXd& desired_closeness,
   const Eigen::Index n = desired_closeness.rows();
   requireShape(desired_closeness, n, n, "D_des");
   requireShape(initial_closeness, n, n, "D_init");
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> difference(desired_closeness -
-                                                                  initial_closeness);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> desired(desired_closeness);
-  return difference.eigenvalues()(0) >= -1e-12 * std::abs(desired.eigenvalues()(n - 1));
+  const Eigen::VectorXd difference = quad_support::SymmetricEigen(desired_closeness - initial_closeness).values;
+  const Eigen::VectorXd desired = quad_support::SymmetricEigen(desired_closeness).values;
+  return difference(0) >= -1e-12 * std::abs(desired(n - 1));
 }
 
 InitialEstimate drawInitialEstimate(const AltitudeParameters& truth, double closeness,

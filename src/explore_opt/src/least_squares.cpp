@@ -1,10 +1,10 @@
 #include "explore_opt/least_squares.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <limits>
 
 #include "checks.hpp"
+#include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
@@ -42,7 +42,7 @@ LeastSquaresFit fitLeastSquares(const Eigen::MatrixXd& X, const Eigen::MatrixXd&
 
   LeastSquaresFit fit;
   fit.num_samples = static_cast<int>(T);
-  fit.singular_values = Eigen::JacobiSVD<Eigen::MatrixXd>(R).singularValues();
+  fit.singular_values = quad_support::singularValues(R);
   fit.condition = conditionOf(fit.singular_values);
   fit.exciting = fit.condition <= kLargestCondition;
   fit.root = R * scales.asDiagonal();

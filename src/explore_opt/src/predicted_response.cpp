@@ -1,12 +1,11 @@
 #include "explore_opt/predicted_response.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <unsupported/Eigen/KroneckerProduct>
 
 #include "checks.hpp"
 #include "explore_opt/set_membership.hpp"
+#include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
@@ -95,8 +94,8 @@ void validate(const ExplorationProblem& problem) {
   requireShape(problem.D_des, problem.D_des.rows(), problem.D_des.rows(), "D_des");
   const MatrixXd D = fullCloseness(problem.D_des, problem.numStates(),
                                    problem.numRegressors());  // checks the shape
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(D, Eigen::EigenvaluesOnly);
-  const double least = eigen.eigenvalues()(0), largest = eigen.eigenvalues()(D.rows() - 1);
+  const VectorXd eigenvalues = quad_support::symmetricEigenvalues(D);
+  const double least = eigenvalues(0), largest = eigenvalues(D.rows() - 1);
   require(least > 1e-14 * largest,
           "D_des has the eigenvalue {}; all must be above 0 (the largest is {})", least, largest);
 }
@@ -115,7 +114,7 @@ MatrixXd PredictedResponse::information(const VectorXd& a) const {
 double PredictedResponse::lambdaMin(const VectorXd& a) const {
   const MatrixXd F = factor(a);
   if (F.rows() < F.cols()) return 0.0;
-  const double sigma = Eigen::JacobiSVD<MatrixXd>(F).singularValues().tail(1)(0);
+  const double sigma = quad_support::singularValues(F).tail(1)(0);
   return sigma * sigma;
 }
 
@@ -141,7 +140,7 @@ MatrixXd unitResponse(const ExplorationProblem& problem, int component) {
 }
 
 MatrixXd closenessInverseRoot(const ExplorationProblem& problem) {
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(reducedCloseness(problem)).operatorInverseSqrt();
+  return quad_support::inverseSquareRoot(reducedCloseness(problem));
 }
 
 PredictedResponse predictResponse(const ExplorationProblem& problem) {

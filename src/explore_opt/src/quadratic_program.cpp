@@ -1,7 +1,8 @@
 #include "quadratic_program.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
@@ -18,8 +19,8 @@ QuadraticProgram::QuadraticProgram(const PredictedResponse& response, double gam
   const Eigen::MatrixXd slack = diagonal.asDiagonal() *
                                 (N - gamma_w * Eigen::MatrixXd::Identity(N.rows(), N.cols())) *
                                 diagonal.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric(slack));
-  C_ = diagonal.asDiagonal() * eigen.eigenvectors().rowwise().reverse();
+  const quad_support::SymmetricEigen eigen(symmetric(slack));
+  C_ = diagonal.asDiagonal() * eigen.vectors.rowwise().reverse();
   R_ = symmetric(gamma_w * C_.transpose() * C_);
 
   std::vector<Eigen::MatrixXd> factors;

@@ -1,12 +1,11 @@
 #include "explore_opt/set_membership.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <limits>
 #include <unsupported/Eigen/KroneckerProduct>
 
 #include "checks.hpp"
+#include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
@@ -16,7 +15,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 Eigen::MatrixXd identity(Eigen::Index n) { return Eigen::MatrixXd::Identity(n, n); }
 
 double smallestEigenvalue(const Eigen::MatrixXd& m) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m, Eigen::EigenvaluesOnly).eigenvalues()(0);
+  return quad_support::symmetricEigenvalues(m)(0);
 }
 
 /// Largest eigenvalue of R⁻ᵀ D R⁻¹, the largest ratio of D to S = RᵀR in any direction.
@@ -55,7 +54,7 @@ FeasibleSet feasibleSet(const LeastSquaresFit& fit, double gamma_w) {
   // |residual|²; the printed form subtracts numbers of the size of Σ|x|² and loses all digits of a
   // falling vehicle.
   set.G = gamma_w - fit.residual_energy;
-  const double sigma = Eigen::JacobiSVD<Eigen::MatrixXd>(fit.root).singularValues().tail(1)(0);
+  const double sigma = quad_support::singularValues(fit.root).tail(1)(0);
   set.lambda_min_S = sigma * sigma;
   return set;
 }

@@ -2,12 +2,12 @@
 
 #include <Eigen/QR>
 #include <Eigen/SPQRSupport>
-#include <Eigen/SVD>
 #include <Eigen/SparseCore>
 #include <limits>
 
 #include "checks.hpp"
 #include "explore_opt/set_membership.hpp"
+#include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
@@ -85,7 +85,7 @@ StructuredFit fitStructured(const MatrixXd& X, const MatrixXd& U, const MatrixXd
   const Eigen::SPQR<Sparse> qr(matrix);
   require(qr.info() == Eigen::Success, "sparse QR failed");
   const MatrixXd scaled_root = rootOf(qr, n);
-  fit.singular_values = Eigen::JacobiSVD<MatrixXd>(scaled_root).singularValues();
+  fit.singular_values = quad_support::singularValues(scaled_root);
   const double least = fit.singular_values(n - 1);
   fit.condition =
       least > 0.0 ? fit.singular_values(0) / least : std::numeric_limits<double>::infinity();

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "quad_support/errors.hpp"
+#include "quad_support/linear_algebra.hpp"
 
 namespace quad_control {
 namespace {
@@ -52,13 +53,12 @@ void requireFullRank(const AllocationMatrix& matrix) {
     const double norm = scaled.row(row).norm();
     if (norm > 0.0) scaled.row(row) /= norm;
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullU);
-  const Eigen::VectorXd& sigma = svd.singularValues();
+  const Eigen::VectorXd sigma = quad_support::singularValues(scaled);
   int rank = 0;
   while (rank < sigma.size() && sigma(rank) > kRankTolerance * sigma(0)) ++rank;
   if (rank == 4) return;
   Eigen::Index lost = 0;  // the entry of U that weighs most in the direction no rotor reaches
-  svd.matrixU().col(rank).cwiseAbs().maxCoeff(&lost);
+  quad_support::leftSingularVectors(scaled).col(rank).cwiseAbs().maxCoeff(&lost);
   throw ConfigError(fmt::format(
       "control allocation: {} rotors give a matrix of rank {} of 4, so {} cannot be commanded independently; check the "
       "rotors' positions, axes and turning directions, or fly a vehicle with at least four rotors",

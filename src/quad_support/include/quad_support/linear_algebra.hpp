@@ -1,0 +1,28 @@
+/// Eigenvalues and singular values of matrices of any size, compiled once: the templates behind them take longer to
+/// compile than the rest of a file that uses them.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace quad_support {
+
+/// m = V diag(values) Vᵀ of a symmetric m (its lower triangle is read); values ascend, columns of V are orthonormal.
+struct SymmetricEigen {
+  explicit SymmetricEigen(const Eigen::MatrixXd& m);
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+
+/// The eigenvalues alone, ascending; faster than SymmetricEigen.
+Eigen::VectorXd symmetricEigenvalues(const Eigen::MatrixXd& m);
+
+/// m^{-1/2}, the symmetric root, of a symmetric positive definite m.
+Eigen::MatrixXd inverseSquareRoot(const Eigen::MatrixXd& m);
+
+/// Singular values of m, descending, to full relative accuracy of the largest (one-sided Jacobi).
+Eigen::VectorXd singularValues(const Eigen::MatrixXd& m);
+
+/// All left singular vectors (rows x rows), in the order of singularValues().
+Eigen::MatrixXd leftSingularVectors(const Eigen::MatrixXd& m);
+
+}  // namespace quad_support

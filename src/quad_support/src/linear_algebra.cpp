@@ -1,0 +1,29 @@
+#include "quad_support/linear_algebra.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+
+namespace quad_support {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+SymmetricEigen::SymmetricEigen(const MatrixXd& m) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(m);
+  values = solver.eigenvalues();
+  vectors = solver.eigenvectors();
+}
+
+VectorXd symmetricEigenvalues(const MatrixXd& m) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(m, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+MatrixXd inverseSquareRoot(const MatrixXd& m) { return Eigen::SelfAdjointEigenSolver<MatrixXd>(m).operatorInverseSqrt(); }
+
+VectorXd singularValues(const MatrixXd& m) { return Eigen::JacobiSVD<MatrixXd>(m).singularValues(); }
+
+MatrixXd leftSingularVectors(const MatrixXd& m) {
+  return Eigen::JacobiSVD<MatrixXd>(m, Eigen::ComputeFullU).matrixU();
+}
+
+}  // namespace quad_support
