@@ -23,7 +23,10 @@ SUMMARY_KEYS = {
 
 
 def without(record, *keys):
-    return {k: v for k, v in record.items() if k not in keys}
+    """The record without these keys, at any depth."""
+    if not isinstance(record, dict):
+        return record
+    return {k: without(v, *keys) for k, v in record.items() if k not in keys}
 
 
 class SameBits(FlightCase):
