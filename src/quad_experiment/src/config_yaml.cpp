@@ -24,12 +24,22 @@ std::string gains(const quad_control::PiGains& g) {
   return list(std::vector<double>{g.position, g.position_integral, g.velocity, g.velocity_integral});
 }
 
+/// For between double quotes.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out;
+}
+
 const char* word(bool value) { return value ? "true" : "false"; }
 
 std::string yaml(const ExperimentConfig& c, const std::string& urdf) {
   const auto& s = c.simulation;
   std::string y;
-  y += fmt::format("vehicle:\n  urdf: {}\n  namespace: {}\n  mass: {}  # [kg]\n", urdf, s.vehicle_namespace,
+  y += fmt::format("vehicle:\n  urdf: \"{}\"\n  namespace: {}\n  mass: {}  # [kg]\n", escaped(urdf), s.vehicle_namespace,
                    s.mass ? shortest(*s.mass) : "urdf");
   y += fmt::format(
       "simulation:\n  step: {}  # [s]\n  gravity: {}  # [m/s^2]\n  multibody: {}\n  profile: {}\n  ground: {}\n"

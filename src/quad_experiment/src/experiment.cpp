@@ -46,7 +46,11 @@ double groundClearance(const quad_sim::VehicleModel& vehicle) {
   return clearance + kMargin;
 }
 
-std::int64_t stepNanoseconds(const ExperimentConfig& config) { return std::llround(config.simulation.options.step * 1e9); }
+/// Simulated time [ns] of the hold's end: known beforehand in lock-step, where the middleware's draws are known.
+std::int64_t explorationStart(const ExperimentConfig& config, const Middleware& middleware) {
+  if (config.timing.mode == quad_control::TimingMode::kWallclock) return std::llround(config.control.hold_time * 1e9);
+  return middleware.totalSteps(holdIntervals(config)) * std::llround(config.simulation.options.step * 1e9);
+}
 
 }  // namespace
 
@@ -104,10 +108,7 @@ FlightSpec flightSpec(const ExperimentPlan& plan, const std::vector<double>& sig
   spec.plan.initial_altitude_effort =
       quad_control::equilibriumEffort(plan.vehicle.mass, plan.knowledge.estimate.mass, plan.knowledge.gravity);
   spec.plan.exploration_signal = signal;
-  spec.plan.exploration_start_ns =
-      config.timing.mode == quad_control::TimingMode::kWallclock
-          ? std::llround(config.control.hold_time * 1e9)
-          : middleware.totalSteps(holdIntervals(config)) * stepNanoseconds(config);
+  if (!signal.empty()) spec.plan.exploration_start_ns = explorationStart(config, middleware);
   spec.end_of_hold = config.control.hold_time;
   spec.ground_clearance = groundClearance(plan.vehicle);
   spec.expect_ground = config.simulation.options.ground;
@@ -125,7 +126,6 @@ FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight
   result.trajectory = fly(plant, flightSpec(plan, signal, middleware), middleware, progress);
   result.timing = plant.timing();
   result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  result.csv = toCsv(result.trajectory, mixer, feedforward);
   result.verdict = judgeFlight(plan.knowledge, explorationData(result.trajectory, mixer, feedforward), result.trajectory);
   return result;
 }
@@ -155,7 +155,8 @@ ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant, con
       const double time = static_cast<double>(o.time_ns) / 1e9;
       tell({name, time < config.control.hold_time ? "hold" : "explore", time, duration, o.p_WB.z(), climbRate(o)});
     }));
-    const FlightResult& flown = result.flights.back();
+    FlightResult& flown = result.flights.back();
+    flown.csv = toCsv(flown.trajectory, quad_control::Mixer(quad_control::rotorGeometry(plan.vehicle)), plan.knowledge.feedforward());
     results.write(name + "/trajectory.csv", flown.csv);
     if (!flown.timing.empty()) results.write(name + "/timing.csv", timingCsv(flown.trajectory, flown.timing));
   }

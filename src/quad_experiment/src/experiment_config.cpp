@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::int64_t kMaxSeed = 9007199254740992;  // 2^53: read back exactly by every JSON and YAML reader
 constexpr std::int64_t kMaxSamples = 1000000;
+constexpr double kLargest = 1e6;  // of a period [s], a mass [kg], a force [N]: beyond it a sum of squares overflows
 
 EstimateConfig readEstimate(const ConfigReader& in, const explore_opt::AltitudeParameters& truth) {
   EstimateConfig c;
@@ -32,8 +33,8 @@ EstimateConfig readEstimate(const ConfigReader& in, const explore_opt::AltitudeP
     draw.finish();
     c.parameters = explore_opt::drawInitialEstimate(truth, c.closeness, c.seed).parameters;
   } else {
-    c.parameters.sampling_period = in.number("sampling_period", Range::positive("s"));
-    c.parameters.mass = in.number("mass", Range::positive("kg"));
+    c.parameters.sampling_period = in.number("sampling_period", Range{0.0, kLargest, true, false, "s"});
+    c.parameters.mass = in.number("mass", Range{0.0, kLargest, true, false, "kg"});
   }
   in.finish();
   return c;
@@ -64,7 +65,7 @@ DesignConfig readDesign(const ConfigReader& in) {
   c.method = explore_opt::methodFromString(in.choice("method", {"global", "mm"}));
   c.fly_design = in.choice("signal", {"given", "designed"}) == "designed";
   const std::size_t carriers = c.harmonics.size() * (c.phase == explore_opt::Phase::kBoth ? 2 : 1);
-  if (!c.fly_design || in.has("amplitudes")) c.amplitudes = in.numbers("amplitudes", Range::any("N"), carriers);
+  if (!c.fly_design || in.has("amplitudes")) c.amplitudes = in.numbers("amplitudes", Range::closed(-kLargest, kLargest, "N"), carriers);
   c.amplitude_margin = in.number("amplitude_margin", Range::closed(0.0, 10.0));
   in.finish();
   return c;
@@ -82,6 +83,25 @@ quad_sim::VehicleModel loadFlyable(const quad_sim::SimulationConfig& simulation)
   return vehicle;
 }
 
+/// What the controllers would refuse when the flight begins, said where the settings are.
+void requireFlight(const ConfigReader& in, const ExperimentConfig& c, const quad_sim::VehicleModel& vehicle) {
+  const double gravity = c.simulation.options.gravity;
+  if (!(gravity > 0.0)) in.section("simulation").fail("gravity", "must be > 0 m/s^2: without weight there is nothing to hold");
+  const double feedforward = c.estimate.parameters.mass * gravity;
+  const double max_thrust = quad_control::Mixer(quad_control::rotorGeometry(vehicle)).maxThrust();
+  if (feedforward >= max_thrust) {
+    in.section("estimate").fail(c.estimate.drawn ? "draw" : "mass",
+                                fmt::format("must be below {} kg: its weight {} N is more than the rotors' {} N", max_thrust / gravity,
+                                            feedforward, max_thrust));
+  }
+  const quad_control::PiGains& altitude = c.control.altitude;
+  if (altitude.position_integral == 0.0 && altitude.velocity_integral == 0.0 && c.estimate.parameters.mass != vehicle.mass) {
+    in.section("control").fail("altitude", fmt::format("needs an integral gain (the second or fourth): it carries the {} N that the "
+                                                       "feed-forward of estimate.mass leaves",
+                                                       (vehicle.mass - c.estimate.parameters.mass) * gravity));
+  }
+}
+
 }  // namespace
 
 ExperimentConfig readExperimentConfig(const std::string& path, const std::string& mode) {
@@ -92,8 +112,9 @@ ExperimentConfig readExperimentConfig(const std::string& path, const std::string
   c.timing.mode = quad_control::timingMode(mode, c.timing.mode);
   if (c.timing.mode == quad_control::TimingMode::kWallclock) c.timing.latency = c.timing.jitter_std = 0.0;
   c.control = quad_control::readControlConfig(in.section("control"), c.timing.sampling_period);
-  const double mass = loadFlyable(c.simulation).mass;
-  c.estimate = readEstimate(in.section("estimate"), {c.timing.sampling_period, mass});
+  const quad_sim::VehicleModel vehicle = loadFlyable(c.simulation);
+  c.estimate = readEstimate(in.section("estimate"), {c.timing.sampling_period, vehicle.mass});
+  requireFlight(in, c, vehicle);
   c.design = readDesign(in.section("design"));
   for (const auto& signal : in.choices("comparison", {"gaussian"})) {
     if (c.fly_gaussian) in.fail("comparison", signal + " stands twice");

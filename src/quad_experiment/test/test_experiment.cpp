@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -93,8 +94,15 @@ TEST(ThesisExperiment, MediansOfManySeedsLieInTheThesisBands) {
   EXPECT_LE(median(runs, "targeted.gamma_w_sim"), 10.4);
   EXPECT_GE(median(runs, "targeted.B2"), 0.1358);
   EXPECT_LE(median(runs, "targeted.B2"), 0.1364);
-  EXPECT_NEAR(median(runs, "random.B2"), 0.061, 0.001);
-  EXPECT_NEAR(median(runs, "random.error_norm"), 0.076, 0.001);
+  // Printed as "about" to two figures: half a unit of the last, plus three standard errors of a median of 200 (1.25 sigma /
+  // sqrt(200), sigma 0.0043 from the 5 to 95 % range).
+  const double tolerance = 0.0005 + 3 * 1.25 * 0.0043 / std::sqrt(200.0);
+  EXPECT_NEAR(median(runs, "random.B2"), 0.061, tolerance);
+  EXPECT_NEAR(median(runs, "random.error_norm"), 0.076, tolerance);
+  // "About 60 %" of the seeds falsify gamma_w; three standard errors of a share among 200 are 10 %.
+  const auto G = sortedValues(runs, "random.G");
+  const double share = static_cast<double>(std::count_if(G.begin(), G.end(), [](double g) { return g < 0.0; })) / 200.0;
+  EXPECT_NEAR(share, 0.60, 3 * std::sqrt(0.6 * 0.4 / 200.0));
 }
 
 TEST(Ensemble, DoesNotDependOnTheNumberOfWorkers) {
@@ -114,6 +122,19 @@ TEST(ExactExperiment, KeepsThePromiseWithExactTime) {
   const Trajectory& flight = result.targeted().trajectory;
   // The hold ends at rest: it began in equilibrium.
   EXPECT_LT(std::abs(climbRate(flight.rows[flight.firstExplored()].state.odometry)), 0.01);
+}
+
+TEST(AltitudeStep, SettlesAtTheReferenceWithTheVehiclesWeight) {  // thesis Fig. 2.3
+  const ExperimentPlan plan = planExperiment(readExperimentConfig("config/exact.yaml"));
+  const Middleware middleware(middlewareConfig(plan.config), 1, kTargetedFlight);
+  FlightSpec spec = flightSpec(plan, {}, middleware);
+  spec.plan.references.z += 1.0;
+  spec.end_of_hold = 20.0;
+  InProcessPlant plant(plan.config.simulation, plan.config.control);
+  const Trajectory flight = fly(plant, spec, middleware);
+  EXPECT_NEAR(flight.rows.back().state.odometry.p_WB.z(), spec.plan.references.z, 0.005);  // settles to 2 % in 2.4 s
+  // The thesis reads "exactly m g" off the figure; what is left of the slow integral after 20 s is below 1 mN.
+  EXPECT_NEAR(flight.rows[flight.rows.size() - 2].command.thrust, plan.vehicle.mass * 9.8, 1e-3);
 }
 
 TEST(Experiment, ReachingTheGroundIsAFailedSimulation) {

@@ -72,6 +72,13 @@ TEST(ExperimentConfig, MistakesNameKeyValueAndLimit) {
   expectComplaint({{"[0.04, 0.94, 1.76, -2.62]", "[0.04, 0.94]"}}, {"design.amplitudes", "list of 4 numbers"});
   expectComplaint({{"latency: 0.045", "latency: 0.1"}}, {"timing.latency = 0.1"});
   expectComplaint({{"gamma_w: 20.0", "gamma_w: 20.0\n  gamma_w: 21.0"}}, {"design.gamma_w stands twice"});
+  expectComplaint({{"sampling_period: 0.1 ", "sampling_period: 1e7 "}}, {"timing.sampling_period = 1e7", "60"});
+  expectComplaint({{"jitter_std: 0.0056", "jitter_std: 1e7"}}, {"timing.jitter_std = 1e7", "0.1"});
+  expectComplaint({{"hold_time: 6.0", "hold_time: 1e9"}}, {"control.hold_time = 1e9", "3600"});
+  expectComplaint({{"mass: 0.6247", "mass: 3"}}, {"estimate.mass = 3", "must be below"});
+  expectComplaint({{"gravity: 9.8", "gravity: 0"}}, {"simulation.gravity = 0", "must be > 0"});
+  expectComplaint({{"altitude: [2.4, 0.7, 2.4, 0.6]", "altitude: [2.4, 0, 2.4, 0]"}}, {"control.altitude", "integral gain"});
+  expectComplaint({{"[0.04, 0.94, 1.76, -2.62]", "[1e300, 0.94, 1.76, -2.62]"}}, {"design.amplitudes[0] = 1e300"});
   expectComplaint({{"urdf: hummingbird.urdf", "urdf: none.urdf"}}, {"vehicle.urdf = none.urdf"});
 }
 

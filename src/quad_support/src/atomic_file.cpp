@@ -56,6 +56,17 @@ void writeAndSync(const std::string& path, std::string_view content) {
   }
 }
 
+/// @throws std::invalid_argument unless what is at `path` is nobody's loss
+void requireReplaceable(const std::string& path) {
+  if (!fs::is_directory(path)) throw std::invalid_argument(path + ": is not a directory; name another one");
+  if (fs::is_empty(path)) return;
+  for (const char* mark : {"config.yaml", "provenance.json", "summary.json"}) {
+    if (fs::exists(fs::path(path) / mark)) return;
+  }
+  throw std::invalid_argument(path + ": holds other files than an experiment's results, so --force does not replace it; name "
+                                     "another directory");
+}
+
 }  // namespace
 
 void writeFileAtomically(const std::string& path, std::string_view content) {
@@ -82,15 +93,19 @@ std::string readFile(const std::string& path) {
 ResultDirectory::ResultDirectory(const std::string& path, bool overwrite)
     : final_(path), overwrite_(overwrite) {
   while (final_.size() > 1 && final_.back() == '/') final_.pop_back();
-  if (final_.empty()) throw std::invalid_argument("the results directory has an empty name");
+  const std::string name = fs::path(final_).filename().string();
+  if (name.empty() || name == "." || name == "..") {
+    throw std::invalid_argument("'" + path + "' cannot be a results directory; give it a name of its own");
+  }
   std::error_code error;
-  if (fs::exists(final_, error) && !overwrite) {
-    throw std::invalid_argument(final_ + ": exists already; name another directory or give --force");
+  if (fs::exists(fs::symlink_status(final_, error))) {
+    if (!overwrite) throw std::invalid_argument(final_ + ": exists already; name another directory or give --force");
+    requireReplaceable(final_);
   }
   const std::string parent = parentOf(final_);
   fs::create_directories(parent, error);
   if (error) fail("create", parent, error.value());
-  work_ = fmt::format("{}/.{}.partial-{}", parent, fs::path(final_).filename().string(), ::getpid());
+  work_ = fmt::format("{}/.{}.partial-{}", parent, name, ::getpid());
   fs::remove_all(work_, error);
   fs::create_directory(work_, error);
   if (error) fail("create", work_, error.value());

@@ -109,6 +109,19 @@ TEST_F(AtomicFile, ResultsAppearOnlyOnCommit) {
   EXPECT_EQ(readFile(path + "/other.json"), "[]");
 }
 
+TEST_F(AtomicFile, ForceReplacesResultsOnly) {
+  const std::string other = dir_ / "home";
+  fs::create_directories(other + "/sub");
+  writeFileAtomically(other + "/sub/letter.txt", "mine");
+  EXPECT_THROW(ResultDirectory(other, true), std::invalid_argument);
+  EXPECT_EQ(readFile(other + "/sub/letter.txt"), "mine");
+  const std::string file = dir_ / "file.txt";
+  writeFileAtomically(file, "mine too");
+  EXPECT_THROW(ResultDirectory(file, true), std::invalid_argument);
+  for (const char* name : {".", "..", "/", ""}) EXPECT_THROW(ResultDirectory(name, true), std::invalid_argument) << name;
+  EXPECT_EQ(entries(), 2u);
+}
+
 TEST(CsvTable, ReadsNumbersAndNamesMistakes) {
   const auto table = CsvTable::parse("t, phase,w0\n0,hold,1e3\n0.1,explore,nan\n", "x.csv");
   EXPECT_EQ(table.rows(), 2u);

@@ -48,7 +48,7 @@ FlightSpec flightSpec(const ExperimentPlan& plan, const std::vector<double>& sig
 /// One flown signal and what it says.
 struct FlightResult {
   std::string name;  ///< "targeted" or "random": its folder
-  std::string csv;   ///< trajectory.csv
+  std::string csv;   ///< trajectory.csv; filled by runExperiment()
   Trajectory trajectory;
   std::vector<IntervalTiming> timing;  ///< of the intervals; empty unless the clock on the wall paced them
   FlightVerdict verdict;

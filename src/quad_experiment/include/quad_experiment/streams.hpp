@@ -10,6 +10,5 @@ enum Flight : std::uint64_t { kTargetedFlight = 0, kGaussianFlight = 1 };
 
 constexpr std::uint64_t kJitterStream = 0x100;    ///< + flight: interval lengths
 constexpr std::uint64_t kSignalStream = 0x200;    ///< + flight: random exploration signals
-constexpr std::uint64_t kEstimateStream = 0x300;  ///< the drawn initial estimate
 
 }  // namespace quad_experiment

@@ -38,6 +38,13 @@ double ownValue(const Json& summary, const std::string& key) {
 int percentiles(const PercentilesOptions& options) {
   const Json summary = Json::parse(quad_support::readFile(options.results + "/summary.json"), nullptr, false);
   if (summary.is_discarded()) throw quad_support::ConfigError(options.results + "/summary.json: not valid JSON");
+  for (const char* part : {"mode", "initial", "design", "targeted", "random"}) {
+    if (!summary.contains(part)) throw quad_support::ConfigError(fmt::format("{}/summary.json: has no '{}'; not a run's summary", options.results, part));
+  }
+  if (summary.at("mode") == "wallclock") {
+    std::puts("a wall-clock run has no seeds to be compared with");
+    return quad_support::kDone;
+  }
   const ExperimentPlan plan = planExperiment(readExperimentConfig(options.results + "/config.yaml"));
   const int workers = options.workers > 0 ? options.workers : std::max(1u, std::thread::hardware_concurrency());
   const bool terminal = ::isatty(STDERR_FILENO) != 0;

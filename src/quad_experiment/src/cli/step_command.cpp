@@ -11,6 +11,12 @@
 
 using namespace quad_experiment;
 
+namespace {
+
+constexpr double kSettled = 0.02;  // of the step: the usual 2 % band
+
+}  // namespace
+
 int step(const StepOptions& options) {
   const ExperimentConfig config = readExperimentConfig(options.config);
   const ExperimentPlan plan = planExperiment(config);
@@ -36,5 +42,6 @@ int step(const StepOptions& options) {
   std::printf("altitude step of %g m: final error %.3g m, overshoot %.3g m, final thrust %.6f N (m g = %.6f N)\n", options.height,
               trajectory.rows.back().state.odometry.p_WB.z() - spec.plan.references.z, overshoot, before_last.command.thrust, weight);
   std::printf("results: %s\n", results.path().c_str());
-  return quad_support::kDone;
+  const double final_error = trajectory.rows.back().state.odometry.p_WB.z() - spec.plan.references.z;
+  return std::abs(final_error) <= kSettled * std::abs(options.height) ? quad_support::kDone : quad_support::kNegativeAnswer;
 }

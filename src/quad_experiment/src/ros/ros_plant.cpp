@@ -34,7 +34,9 @@ void ask(ros::ServiceClient& client, Service& service) {
   }
   if (!service.response.success) {
     quad_support::throwIfInterrupted();
-    throw EnvironmentError(fmt::format("{}: {}", client.getService(), service.response.message));
+    const std::string text = fmt::format("{}: {}", client.getService(), service.response.message);
+    if (text.find("simulation failed: ") != std::string::npos) throw quad_support::SimulationError(text);
+    throw EnvironmentError(text);
   }
 }
 

@@ -216,7 +216,7 @@ bool SimNode::onStep(Step::Request& request, Step::Response& response) {
     response.message = runStep(request);
     response.success = response.message.empty();
   } catch (const quad_support::SimulationError& e) {
-    response.message = e.what();
+    response.message = std::string("simulation failed: ") + e.what();
   }
   const Visit visit(mutex_, waiting_);
   if (response.success) response.message = groundMessage();

@@ -18,7 +18,9 @@ std::string readFile(const std::string& path);
 class ResultDirectory {
  public:
   /// @param path       where the results shall be
-  /// @param overwrite  false: @throws std::invalid_argument if `path` exists (nothing is touched)
+  /// @param overwrite  false: @throws std::invalid_argument if `path` exists (nothing is touched); true: replaces an empty
+  ///                   directory or an older one of results (it holds config.yaml, provenance.json or summary.json), and
+  ///                   @throws std::invalid_argument for anything else there, so that nobody's other files are lost
   /// @throws EnvironmentError if the place cannot be written
   ResultDirectory(const std::string& path, bool overwrite);
   ~ResultDirectory();
