@@ -90,6 +90,15 @@ class Pages(unittest.TestCase):
                         problem = run(ROOT, block)
                         self.assertIsNone(problem, problem)
 
+    def test_relative_links_lead_somewhere(self):
+        links = [(page, target) for page in pages(ROOT)
+                 for target in re.findall(r"\]\(([^)#]+)[^)]*\)", open(os.path.join(ROOT, page), encoding="utf-8").read())
+                 if "://" not in target]
+        self.assertTrue(links)
+        missing = ["%s: %s" % link for link in links
+                   if not os.path.exists(os.path.join(ROOT, os.path.dirname(link[0]), link[1]))]
+        self.assertEqual(missing, [])
+
     def test_only_setup_and_tests_are_left_out(self):
         allowed = {"# set-up": r"(sudo |apt-get |apt |git clone |cd |scripts/setup|make\b.*\bsetup|export |#|$)",
                    "# tests": r"(make test\b|\.ci/run|#|$)"}
