@@ -13,7 +13,8 @@
 namespace quad_experiment {
 namespace {
 
-std::map<std::string, double> flySeed(const ExperimentPlan& base, std::uint64_t seed, Plant& plant) {
+std::map<std::string, double> flySeed(const ExperimentPlan& base, std::uint64_t seed,
+                                      Plant& plant) {
   const ExperimentPlan plan = withSeed(base, seed);
   ExperimentResult result;
   result.flights.push_back(flyAndJudge(plan, plant, kTargetedFlight));
@@ -23,8 +24,10 @@ std::map<std::string, double> flySeed(const ExperimentPlan& base, std::uint64_t 
 
 }  // namespace
 
-std::vector<std::map<std::string, double>> flySeeds(const ExperimentPlan& plan, std::uint64_t first_seed, int count,
-                                                    int workers, const std::function<void(int)>& progress) {
+std::vector<std::map<std::string, double>> flySeeds(const ExperimentPlan& plan,
+                                                    std::uint64_t first_seed, int count,
+                                                    int workers,
+                                                    const std::function<void(int)>& progress) {
   std::vector<std::map<std::string, double>> runs(static_cast<std::size_t>(count));
   std::vector<std::exception_ptr> errors(static_cast<std::size_t>(count));
   std::atomic<int> next{0};
@@ -55,7 +58,8 @@ std::vector<std::map<std::string, double>> flySeeds(const ExperimentPlan& plan, 
   return runs;
 }
 
-std::vector<double> sortedValues(const std::vector<std::map<std::string, double>>& runs, const std::string& key) {
+std::vector<double> sortedValues(const std::vector<std::map<std::string, double>>& runs,
+                                 const std::string& key) {
   std::vector<double> values;
   for (const auto& run : runs) {
     const auto it = run.find(key);

@@ -13,12 +13,16 @@
 namespace quad_experiment {
 namespace {
 
-std::vector<double> toSamples(const Eigen::MatrixXd& signal) { return {signal.data(), signal.data() + signal.size()}; }
+std::vector<double> toSamples(const Eigen::MatrixXd& signal) {
+  return {signal.data(), signal.data() + signal.size()};
+}
 
-std::vector<double> flownAmplitudes(const ExperimentConfig& config, const explore_opt::DesignResult& design) {
+std::vector<double> flownAmplitudes(const ExperimentConfig& config,
+                                    const explore_opt::DesignResult& design) {
   std::vector<double> amplitudes = config.design.amplitudes;
   if (config.design.fly_design) {
-    if (!design.feasible()) throw quad_support::NegativeAnswer("no exploration signal: " + design.message);
+    if (!design.feasible())
+      throw quad_support::NegativeAnswer("no exploration signal: " + design.message);
     amplitudes = toSamples(design.amplitudes);
   }
   for (double& a : amplitudes) a *= 1.0 + config.design.amplitude_margin;
@@ -28,17 +32,21 @@ std::vector<double> flownAmplitudes(const ExperimentConfig& config, const explor
 std::vector<double> gaussian(const ExperimentPlan& plan) {
   double energy = 0.0;
   for (const double u : plan.targeted_signal) energy += u * u;
-  return toSamples(explore_opt::gaussianSignal(energy, 1, plan.config.design.num_samples, plan.config.seed, 0,
+  return toSamples(explore_opt::gaussianSignal(energy, 1, plan.config.design.num_samples,
+                                               plan.config.seed, 0,
                                                kSignalStream + kGaussianFlight));
 }
 
 std::uint64_t holdIntervals(const ExperimentConfig& config) {
-  return static_cast<std::uint64_t>(std::llround(config.control.hold_time / config.timing.sampling_period));
+  return static_cast<std::uint64_t>(
+      std::llround(config.control.hold_time / config.timing.sampling_period));
 }
 
-/// Altitude [m] of base_link at which a level vehicle touches the ground, with a margin for a landing between samples.
+/// Altitude [m] of base_link at which a level vehicle touches the ground, with a margin for a
+/// landing between samples.
 double groundClearance(const quad_sim::VehicleModel& vehicle) {
-  constexpr double kMargin = 0.005;  // [m]: contact is soft, the vehicle rests a little above or below
+  constexpr double kMargin =
+      0.005;  // [m]: contact is soft, the vehicle rests a little above or below
   double clearance = 0.0;
   for (const auto& box : vehicle.boxes) {
     clearance = std::max(clearance, 0.5 * box.size.z() - box.X_BC.translation().z());
@@ -46,18 +54,21 @@ double groundClearance(const quad_sim::VehicleModel& vehicle) {
   return clearance + kMargin;
 }
 
-/// Simulated time [ns] of the hold's end: known beforehand in lock-step, where the middleware's draws are known.
+/// Simulated time [ns] of the hold's end: known beforehand in lock-step, where the middleware's
+/// draws are known.
 std::int64_t explorationStart(const ExperimentConfig& config, const Middleware& middleware) {
-  if (config.timing.mode == quad_control::TimingMode::kWallclock) return std::llround(config.control.hold_time * 1e9);
-  return middleware.totalSteps(holdIntervals(config)) * std::llround(config.simulation.options.step * 1e9);
+  if (config.timing.mode == quad_control::TimingMode::kWallclock)
+    return std::llround(config.control.hold_time * 1e9);
+  return middleware.totalSteps(holdIntervals(config)) *
+         std::llround(config.simulation.options.step * 1e9);
 }
 
 }  // namespace
 
 explore_opt::ExplorationProblem designProblem(const ExperimentConfig& config) {
   const auto& estimate = config.estimate.parameters;
-  const auto model =
-      explore_opt::altitudeModel(estimate.mass, estimate.sampling_period, config.simulation.options.gravity);
+  const auto model = explore_opt::altitudeModel(estimate.mass, estimate.sampling_period,
+                                                config.simulation.options.gravity);
   explore_opt::ExplorationProblem problem;
   problem.A = model.A;
   problem.B = model.B;
@@ -86,8 +97,9 @@ ExperimentPlan planExperiment(const ExperimentConfig& config) {
   plan.design = explore_opt::designExploration(plan.problem, options);
   plan.amplitudes = flownAmplitudes(config, plan.design);
   const auto rows = static_cast<Eigen::Index>(plan.amplitudes.size());
-  plan.targeted_signal = toSamples(explore_opt::multisine(plan.problem.lines, plan.problem.phase,
-                                                          Eigen::Map<const Eigen::MatrixXd>(plan.amplitudes.data(), rows, 1)));
+  plan.targeted_signal = toSamples(
+      explore_opt::multisine(plan.problem.lines, plan.problem.phase,
+                             Eigen::Map<const Eigen::MatrixXd>(plan.amplitudes.data(), rows, 1)));
   if (config.fly_gaussian) plan.gaussian_signal = gaussian(plan);
   return plan;
 }
@@ -98,15 +110,16 @@ ExperimentPlan withSeed(ExperimentPlan plan, std::uint64_t seed) {
   return plan;
 }
 
-FlightSpec flightSpec(const ExperimentPlan& plan, const std::vector<double>& signal, const Middleware& middleware) {
+FlightSpec flightSpec(const ExperimentPlan& plan, const std::vector<double>& signal,
+                      const Middleware& middleware) {
   const ExperimentConfig& config = plan.config;
   FlightSpec spec;
   spec.plan.references.z = config.simulation.initial_altitude;
   spec.plan.feed_forward_mass = plan.knowledge.estimate.mass;
   spec.plan.gravity = plan.knowledge.gravity;
   // The integral part carries what the feed-forward leaves, so that the hold begins in equilibrium.
-  spec.plan.initial_altitude_effort =
-      quad_control::equilibriumEffort(plan.vehicle.mass, plan.knowledge.estimate.mass, plan.knowledge.gravity);
+  spec.plan.initial_altitude_effort = quad_control::equilibriumEffort(
+      plan.vehicle.mass, plan.knowledge.estimate.mass, plan.knowledge.gravity);
   spec.plan.exploration_signal = signal;
   if (!signal.empty()) spec.plan.exploration_start_ns = explorationStart(config, middleware);
   spec.end_of_hold = config.control.hold_time;
@@ -115,9 +128,11 @@ FlightSpec flightSpec(const ExperimentPlan& plan, const std::vector<double>& sig
   return spec;
 }
 
-FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight, const FlightProgress& progress) {
+FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight,
+                         const FlightProgress& progress) {
   const Middleware middleware(middlewareConfig(plan.config), plan.config.seed, flight);
-  const std::vector<double>& signal = flight == kTargetedFlight ? plan.targeted_signal : plan.gaussian_signal;
+  const std::vector<double>& signal =
+      flight == kTargetedFlight ? plan.targeted_signal : plan.gaussian_signal;
   const quad_control::Mixer mixer = quad_control::Mixer(quad_control::rotorGeometry(plan.vehicle));
   const double feedforward = plan.knowledge.feedforward();
   const auto begin = std::chrono::steady_clock::now();
@@ -125,15 +140,20 @@ FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight
   result.name = flight == kTargetedFlight ? "targeted" : "random";
   result.trajectory = fly(plant, flightSpec(plan, signal, middleware), middleware, progress);
   result.timing = plant.timing();
-  result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  result.verdict = judgeFlight(plan.knowledge, explorationData(result.trajectory, mixer, feedforward), result.trajectory);
+  result.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.verdict = judgeFlight(
+      plan.knowledge, explorationData(result.trajectory, mixer, feedforward), result.trajectory);
   return result;
 }
 
-int ExperimentResult::exitCode() const { return ok() ? quad_support::kDone : quad_support::kNegativeAnswer; }
+int ExperimentResult::exitCode() const {
+  return ok() ? quad_support::kDone : quad_support::kNegativeAnswer;
+}
 
-ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant, const std::string& mode,
-                               quad_support::ResultDirectory& results, const StatusCallback& status) {
+ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant,
+                               const std::string& mode, quad_support::ResultDirectory& results,
+                               const StatusCallback& status) {
   const auto begin = std::chrono::steady_clock::now();
   const auto tell = [&](const ExperimentStatus& s) {
     if (status) status(s);
@@ -146,23 +166,29 @@ ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant, con
 
   ExperimentResult result;
   result.mode = mode;
-  const double duration = config.control.hold_time + config.design.num_samples * config.timing.sampling_period;
+  const double duration =
+      config.control.hold_time + config.design.num_samples * config.timing.sampling_period;
   std::vector<Flight> flights = {kTargetedFlight};
   if (config.fly_gaussian) flights.push_back(kGaussianFlight);
   for (const Flight flight : flights) {
     const std::string name = flight == kTargetedFlight ? "targeted" : "random";
     result.flights.push_back(flyAndJudge(plan, plant, flight, [&](const quad_sim::Odometry& o) {
       const double time = static_cast<double>(o.time_ns) / 1e9;
-      tell({name, time < config.control.hold_time ? "hold" : "explore", time, duration, o.p_WB.z(), climbRate(o)});
+      tell({name, time < config.control.hold_time ? "hold" : "explore", time, duration, o.p_WB.z(),
+            climbRate(o)});
     }));
     FlightResult& flown = result.flights.back();
-    flown.csv = toCsv(flown.trajectory, quad_control::Mixer(quad_control::rotorGeometry(plan.vehicle)), plan.knowledge.feedforward());
+    flown.csv =
+        toCsv(flown.trajectory, quad_control::Mixer(quad_control::rotorGeometry(plan.vehicle)),
+              plan.knowledge.feedforward());
     results.write(name + "/trajectory.csv", flown.csv);
-    if (!flown.timing.empty()) results.write(name + "/timing.csv", timingCsv(flown.trajectory, flown.timing));
+    if (!flown.timing.empty())
+      results.write(name + "/timing.csv", timingCsv(flown.trajectory, flown.timing));
   }
   result.time = judgeTime(result.targeted().trajectory, config.timing.sampling_period);
   result.delay = judgeDelay(result.targeted().timing);
-  result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   results.write("summary.json", summaryJson(plan, result).dump(2) + "\n");
   results.write("table.txt", comparisonTable(plan, result));
   tell({"", "done"});

@@ -18,22 +18,26 @@ using quad_support::Range;
 
 namespace {
 
-constexpr std::int64_t kMaxSeed = 9007199254740992;  // 2^53: read back exactly by every JSON and YAML reader
+constexpr std::int64_t kMaxSeed =
+    9007199254740992;  // 2^53: read back exactly by every JSON and YAML reader
 constexpr std::int64_t kMaxSamples = 1000000;
-constexpr double kLargest = 1e6;  // of a period [s], a mass [kg], a force [N]: beyond it a sum of squares overflows
+constexpr double kLargest =
+    1e6;  // of a period [s], a mass [kg], a force [N]: beyond it a sum of squares overflows
 
 EstimateConfig readEstimate(const ConfigReader& in, const explore_opt::AltitudeParameters& truth) {
   EstimateConfig c;
   c.drawn = in.has("draw");
   if (c.drawn) {
-    if (in.has("sampling_period") || in.has("mass")) in.fail("draw", "replaces sampling_period and mass; give one or the other");
+    if (in.has("sampling_period") || in.has("mass"))
+      in.fail("draw", "replaces sampling_period and mass; give one or the other");
     const ConfigReader draw = in.section("draw");
     c.closeness = draw.number("closeness", Range::positive());
     c.seed = static_cast<std::uint64_t>(draw.integer("seed", 0, kMaxSeed));
     draw.finish();
     c.parameters = explore_opt::drawInitialEstimate(truth, c.closeness, c.seed).parameters;
   } else {
-    c.parameters.sampling_period = in.number("sampling_period", Range{0.0, kLargest, true, false, "s"});
+    c.parameters.sampling_period =
+        in.number("sampling_period", Range{0.0, kLargest, true, false, "s"});
     c.parameters.mass = in.number("mass", Range{0.0, kLargest, true, false, "kg"});
   }
   in.finish();
@@ -47,8 +51,10 @@ std::vector<int> readHarmonics(const ConfigReader& in, int num_samples) {
   for (const auto value : in.integers("harmonics", 1, largest)) {
     const int h = static_cast<int>(value);
     if (!seen.insert(h).second) {
-      in.fail("harmonics", fmt::format("stands twice; lines must be distinct, 0 < h < T/2 = {}", num_samples / 2.0),
-              static_cast<int>(harmonics.size()));
+      in.fail(
+          "harmonics",
+          fmt::format("stands twice; lines must be distinct, 0 < h < T/2 = {}", num_samples / 2.0),
+          static_cast<int>(harmonics.size()));
     }
     harmonics.push_back(h);
   }
@@ -65,7 +71,8 @@ DesignConfig readDesign(const ConfigReader& in) {
   c.method = explore_opt::methodFromString(in.choice("method", {"global", "mm"}));
   c.fly_design = in.choice("signal", {"given", "designed"}) == "designed";
   const std::size_t carriers = c.harmonics.size() * (c.phase == explore_opt::Phase::kBoth ? 2 : 1);
-  if (!c.fly_design || in.has("amplitudes")) c.amplitudes = in.numbers("amplitudes", Range::closed(-kLargest, kLargest, "N"), carriers);
+  if (!c.fly_design || in.has("amplitudes"))
+    c.amplitudes = in.numbers("amplitudes", Range::closed(-kLargest, kLargest, "N"), carriers);
   c.amplitude_margin = in.number("amplitude_margin", Range::closed(0.0, 10.0));
   in.finish();
   return c;
@@ -84,21 +91,28 @@ quad_sim::VehicleModel loadFlyable(const quad_sim::SimulationConfig& simulation)
 }
 
 /// What the controllers would refuse when the flight begins, said where the settings are.
-void requireFlight(const ConfigReader& in, const ExperimentConfig& c, const quad_sim::VehicleModel& vehicle) {
+void requireFlight(const ConfigReader& in, const ExperimentConfig& c,
+                   const quad_sim::VehicleModel& vehicle) {
   const double gravity = c.simulation.options.gravity;
-  if (!(gravity > 0.0)) in.section("simulation").fail("gravity", "must be > 0 m/s^2: without weight there is nothing to hold");
+  if (!(gravity > 0.0))
+    in.section("simulation")
+        .fail("gravity", "must be > 0 m/s^2: without weight there is nothing to hold");
   const double feedforward = c.estimate.parameters.mass * gravity;
   const double max_thrust = quad_control::Mixer(quad_control::rotorGeometry(vehicle)).maxThrust();
   if (feedforward >= max_thrust) {
-    in.section("estimate").fail(c.estimate.drawn ? "draw" : "mass",
-                                fmt::format("must be below {} kg: its weight {} N is more than the rotors' {} N", max_thrust / gravity,
-                                            feedforward, max_thrust));
+    in.section("estimate")
+        .fail(c.estimate.drawn ? "draw" : "mass",
+              fmt::format("must be below {} kg: its weight {} N is more than the rotors' {} N",
+                          max_thrust / gravity, feedforward, max_thrust));
   }
   const quad_control::PiGains& altitude = c.control.altitude;
-  if (altitude.position_integral == 0.0 && altitude.velocity_integral == 0.0 && c.estimate.parameters.mass != vehicle.mass) {
-    in.section("control").fail("altitude", fmt::format("needs an integral gain (the second or fourth): it carries the {} N that the "
-                                                       "feed-forward of estimate.mass leaves",
-                                                       (vehicle.mass - c.estimate.parameters.mass) * gravity));
+  if (altitude.position_integral == 0.0 && altitude.velocity_integral == 0.0 &&
+      c.estimate.parameters.mass != vehicle.mass) {
+    in.section("control").fail(
+        "altitude",
+        fmt::format("needs an integral gain (the second or fourth): it carries the {} N that the "
+                    "feed-forward of estimate.mass leaves",
+                    (vehicle.mass - c.estimate.parameters.mass) * gravity));
   }
 }
 
@@ -110,7 +124,8 @@ ExperimentConfig readExperimentConfig(const std::string& path, const std::string
   c.simulation = quad_sim::readSimulationConfig(in.section("vehicle"), in.section("simulation"));
   c.timing = quad_control::readTimingConfig(in.section("timing"), c.simulation.options.step);
   c.timing.mode = quad_control::timingMode(mode, c.timing.mode);
-  if (c.timing.mode == quad_control::TimingMode::kWallclock) c.timing.latency = c.timing.jitter_std = 0.0;
+  if (c.timing.mode == quad_control::TimingMode::kWallclock)
+    c.timing.latency = c.timing.jitter_std = 0.0;
   c.control = quad_control::readControlConfig(in.section("control"), c.timing.sampling_period);
   const quad_sim::VehicleModel vehicle = loadFlyable(c.simulation);
   c.estimate = readEstimate(in.section("estimate"), {c.timing.sampling_period, vehicle.mass});
@@ -126,7 +141,8 @@ ExperimentConfig readExperimentConfig(const std::string& path, const std::string
 }
 
 MiddlewareConfig middlewareConfig(const ExperimentConfig& config) {
-  return {config.timing.sampling_period, config.timing.latency, config.timing.jitter_std, config.simulation.options.step};
+  return {config.timing.sampling_period, config.timing.latency, config.timing.jitter_std,
+          config.simulation.options.step};
 }
 
 }  // namespace quad_experiment

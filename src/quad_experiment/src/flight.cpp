@@ -13,27 +13,34 @@ namespace {
 double seconds(std::int64_t ns) { return static_cast<double>(ns) / 1e9; }
 
 void requireFlying(const quad_sim::Odometry& o, const FlightSpec& spec) {
-  if (!o.p_WB.allFinite() || !o.q_WB.coeffs().allFinite() || !o.v_WB_B.allFinite() || !o.w_WB_B.allFinite()) {
-    throw quad_support::SimulationError(fmt::format("the simulation diverged: the state at {} s is not finite", seconds(o.time_ns)));
+  if (!o.p_WB.allFinite() || !o.q_WB.coeffs().allFinite() || !o.v_WB_B.allFinite() ||
+      !o.w_WB_B.allFinite()) {
+    throw quad_support::SimulationError(fmt::format(
+        "the simulation diverged: the state at {} s is not finite", seconds(o.time_ns)));
   }
   if ((o.q_WB * Eigen::Vector3d::UnitZ()).z() < 0.0) {
-    throw quad_support::SimulationError(fmt::format("the vehicle is upside down at {} s; check control gains", seconds(o.time_ns)));
+    throw quad_support::SimulationError(
+        fmt::format("the vehicle is upside down at {} s; check control gains", seconds(o.time_ns)));
   }
   if (spec.expect_ground && o.p_WB.z() <= spec.ground_clearance) {
     throw quad_support::SimulationError(fmt::format(
-        "the vehicle reached the ground at {} s (z = {} m); raise simulation.initial_altitude", seconds(o.time_ns), o.p_WB.z()));
+        "the vehicle reached the ground at {} s (z = {} m); raise simulation.initial_altitude",
+        seconds(o.time_ns), o.p_WB.z()));
   }
 }
 
-/// Gives each row the command that answers its state; commands of other times (the final state's) are left out.
-void attachCommands(Trajectory& trajectory, const std::vector<quad_control::ControlOutput>& commands) {
+/// Gives each row the command that answers its state; commands of other times (the final state's)
+/// are left out.
+void attachCommands(Trajectory& trajectory,
+                    const std::vector<quad_control::ControlOutput>& commands) {
   std::size_t next = 0;
   for (TrajectoryRow& row : trajectory.rows) {
     if (row.last) return;
     const std::int64_t time = row.state.odometry.time_ns;
     while (next < commands.size() && commands[next].time_ns < time) ++next;
     if (next == commands.size() || commands[next].time_ns != time) {
-      throw quad_support::EnvironmentError(fmt::format("the controller has no record of its command at {} s", seconds(time)));
+      throw quad_support::EnvironmentError(
+          fmt::format("the controller has no record of its command at {} s", seconds(time)));
     }
     row.command = commands[next];
   }
@@ -41,7 +48,8 @@ void attachCommands(Trajectory& trajectory, const std::vector<quad_control::Cont
 
 }  // namespace
 
-Trajectory fly(Plant& plant, const FlightSpec& spec, const Middleware& middleware, const FlightProgress& progress) {
+Trajectory fly(Plant& plant, const FlightSpec& spec, const Middleware& middleware,
+               const FlightProgress& progress) {
   const std::size_t num_samples = spec.plan.exploration_signal.size();
   Trajectory trajectory;
   quad_sim::Measurement now = plant.begin(spec.plan);
@@ -52,7 +60,8 @@ Trajectory fly(Plant& plant, const FlightSpec& spec, const Middleware& middlewar
     TrajectoryRow row;
     row.state = now;
     row.exploring = num_samples > 0 && now.odometry.time_ns >= spec.plan.exploration_start_ns;
-    row.last = num_samples > 0 ? explored == num_samples : seconds(now.odometry.time_ns) >= spec.end_of_hold - 1e-9;
+    row.last = num_samples > 0 ? explored == num_samples
+                               : seconds(now.odometry.time_ns) >= spec.end_of_hold - 1e-9;
     if (row.exploring) ++explored;
     if (!row.last) {
       now = plant.advance(middleware.interval(index));

@@ -2,7 +2,8 @@
 
 namespace quad_experiment {
 
-InProcessPlant::InProcessPlant(const quad_sim::SimulationConfig& simulation, const quad_control::ControlConfig& control)
+InProcessPlant::InProcessPlant(const quad_sim::SimulationConfig& simulation,
+                               const quad_control::ControlConfig& control)
     : vehicle_(quad_sim::loadVehicle(simulation)),
       simulator_(quad_sim::makeSimulator(simulation, vehicle_)),
       controller_(vehicle_, control) {}

@@ -34,14 +34,17 @@ nlohmann::ordered_json provenanceJson(const ExperimentPlan& plan, const std::str
       {"config", configHash(plan.config)},
       {"urdf", quad_support::sha256(quad_support::readFile(plan.config.simulation.urdf))},
       {"design_amplitudes",
-       hashOf({plan.design.amplitudes.data(), plan.design.amplitudes.data() + plan.design.amplitudes.size()})},
+       hashOf({plan.design.amplitudes.data(),
+               plan.design.amplitudes.data() + plan.design.amplitudes.size()})},
       {"targeted_signal", hashOf(plan.targeted_signal)},
-      {"random_signal",
-       plan.gaussian_signal.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(hashOf(plan.gaussian_signal))}};
+      {"random_signal", plan.gaussian_signal.empty()
+                            ? nlohmann::ordered_json(nullptr)
+                            : nlohmann::ordered_json(hashOf(plan.gaussian_signal))}};
   j["versions"] = {{"quad_experiment", kVersion},
                    {"git", gitState()},
                    {"compiler", kCompiler},
-                   {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+                   {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+                                         EIGEN_MINOR_VERSION)},
                    {"ode", kOdeVersion},
                    {"ipopt", kIpoptVersion}};
   return j;

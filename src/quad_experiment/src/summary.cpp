@@ -40,11 +40,14 @@ Json designPart(const ExperimentPlan& plan) {
           {"desired_closeness", plan.config.design.desired_closeness}};
 }
 
-/// The choice of thesis section 2.4.1, {3, 6, 8, 10}/8 of the crossover on the grid, for a model; null if it has none.
+/// The choice of thesis section 2.4.1, {3, 6, 8, 10}/8 of the crossover on the grid, for a model;
+/// null if it has none.
 Json linesPart(const explore_opt::AltitudeParameters& model) {
   try {
     const auto grid = explore_opt::crossoverGrid(model.mass, model.sampling_period);
-    return {{"crossover_hz", grid.crossover}, {"exploration_time_s", grid.exploration_time}, {"T", grid.num_samples},
+    return {{"crossover_hz", grid.crossover},
+            {"exploration_time_s", grid.exploration_time},
+            {"T", grid.num_samples},
             {"harmonics", grid.harmonics}};
   } catch (const quad_support::DataError&) {  // too few samples for ten lines
     return nullptr;
@@ -59,7 +62,9 @@ Json initialPart(const ExperimentPlan& plan) {
           {"gamma_w_true", plan.start.gamma_w_true},
           {"gamma_w_compensated", plan.start.gamma_w_compensated},
           {"desired_exceeds_initial", plan.start.asks_for_more},
-          {"lines", {{"from_truth", linesPart(plan.knowledge.truth)}, {"from_estimate", linesPart(plan.knowledge.estimate)}}}};
+          {"lines",
+           {{"from_truth", linesPart(plan.knowledge.truth)},
+            {"from_estimate", linesPart(plan.knowledge.estimate)}}}};
 }
 
 Json flightPart(const FlightVerdict& v) {
@@ -79,7 +84,8 @@ Json flightPart(const FlightVerdict& v) {
   j["signal_energy"] = v.signal_energy;
   j["gamma_w_exp"] = v.gamma_w_exp;
   j["gamma_w_sim"] = v.gamma_w_sim;
-  j["gamma_w_pilot"] = {{"simulated_from_x0", number(v.gamma_w_pilot_literal)}, {"one_step_ahead", number(v.gamma_w_pilot_one_step)}};
+  j["gamma_w_pilot"] = {{"simulated_from_x0", number(v.gamma_w_pilot_literal)},
+                        {"one_step_ahead", number(v.gamma_w_pilot_one_step)}};
   j["lambda_min_S"] = v.set ? number(v.set->lambda_min_S) : Json(nullptr);
   j["truth_in_set"] = v.truth_in_set;
   j["gamma_w_valid"] = v.gamma_w_valid;
@@ -98,7 +104,10 @@ Json flightPart(const FlightVerdict& v) {
 
 Json delayPart(const std::optional<DelayVerdict>& delay) {
   if (!delay) return nullptr;
-  return {{"mean", delay->mean}, {"std", delay->std}, {"estimated", delay->estimated}, {"without_wait", delay->without_wait}};
+  return {{"mean", delay->mean},
+          {"std", delay->std},
+          {"estimated", delay->estimated},
+          {"without_wait", delay->without_wait}};
 }
 
 }  // namespace
@@ -111,7 +120,8 @@ Json summaryJson(const ExperimentPlan& plan, const ExperimentResult& result) {
   j["deterministic"] = result.mode != "wallclock";
   j["config_hash"] = configHash(plan.config);
   j["log_sha256"] = {{"targeted", nullptr}, {"random", nullptr}};
-  for (const FlightResult& flight : result.flights) j["log_sha256"][flight.name] = quad_support::sha256(flight.csv);
+  for (const FlightResult& flight : result.flights)
+    j["log_sha256"][flight.name] = quad_support::sha256(flight.csv);
   j["design"] = designPart(plan);
   j["flown"] = {{"signal", plan.config.design.fly_design ? "designed" : "given"},
                 {"amplitudes", plan.amplitudes},

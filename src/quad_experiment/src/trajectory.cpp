@@ -24,14 +24,17 @@ std::size_t Trajectory::firstExplored() const {
   return i;
 }
 
-double climbRate(const quad_sim::Odometry& odometry) { return (odometry.q_WB * odometry.v_WB_B).z(); }
+double climbRate(const quad_sim::Odometry& odometry) {
+  return (odometry.q_WB * odometry.v_WB_B).z();
+}
 
-ExplorationData explorationData(const Trajectory& trajectory, const quad_control::Mixer& mixer, double feedforward) {
+ExplorationData explorationData(const Trajectory& trajectory, const quad_control::Mixer& mixer,
+                                double feedforward) {
   const std::size_t first = trajectory.firstExplored();
   const auto states = static_cast<Eigen::Index>(trajectory.rows.size() - first);
   const Eigen::Index inputs = std::max<Eigen::Index>(states - 1, 0);
-  ExplorationData data{Eigen::MatrixXd(2, states), Eigen::MatrixXd(1, inputs), Eigen::MatrixXd(1, inputs),
-                       Eigen::MatrixXd(1, inputs)};
+  ExplorationData data{Eigen::MatrixXd(2, states), Eigen::MatrixXd(1, inputs),
+                       Eigen::MatrixXd(1, inputs), Eigen::MatrixXd(1, inputs)};
   for (Eigen::Index k = 0; k < states; ++k) {
     const TrajectoryRow& row = trajectory.rows[first + static_cast<std::size_t>(k)];
     data.X.col(k) << row.state.odometry.p_WB.z(), climbRate(row.state.odometry);
@@ -43,9 +46,13 @@ ExplorationData explorationData(const Trajectory& trajectory, const quad_control
   return data;
 }
 
-std::string toCsv(const Trajectory& trajectory, const quad_control::Mixer& mixer, double feedforward) {
-  std::string csv = "k,t,dt,phase,z,zdot,x,y,phi,theta,psi,u1_cmd,u1_fb,t_eff_cmd,t_eff_fb,tau_phi,tau_theta,tau_psi";
-  const std::size_t rotors = trajectory.rows.empty() ? 0 : trajectory.rows.front().state.rotor_speed.size();
+std::string toCsv(const Trajectory& trajectory, const quad_control::Mixer& mixer,
+                  double feedforward) {
+  std::string csv =
+      "k,t,dt,phase,z,zdot,x,y,phi,theta,psi,u1_cmd,u1_fb,t_eff_cmd,t_eff_fb,tau_phi,tau_theta,tau_"
+      "psi";
+  const std::size_t rotors =
+      trajectory.rows.empty() ? 0 : trajectory.rows.front().state.rotor_speed.size();
   for (std::size_t i = 0; i < rotors; ++i) csv += fmt::format(",w{}", i);
   csv += '\n';
   csv.reserve(csv.size() + trajectory.rows.size() * 400);
@@ -62,7 +69,8 @@ std::string toCsv(const Trajectory& trajectory, const quad_control::Mixer& mixer
     }
     csv += row.exploring ? ",explore" : ",hold";
     const Eigen::Vector3d attitude = quad_control::rollPitchYaw(o.q_WB);
-    for (const double value : {o.p_WB.z(), climbRate(o), o.p_WB.x(), o.p_WB.y(), attitude[0], attitude[1], attitude[2]}) {
+    for (const double value : {o.p_WB.z(), climbRate(o), o.p_WB.x(), o.p_WB.y(), attitude[0],
+                               attitude[1], attitude[2]}) {
       cell(csv, value);
     }
     if (row.last) {
@@ -70,7 +78,9 @@ std::string toCsv(const Trajectory& trajectory, const quad_control::Mixer& mixer
     } else {
       const double u1_fb = mixer.controlInput(row.rotor_speed_after)[0];
       const quad_control::ControlOutput& u = row.command;
-      for (const double value : {u.thrust, u1_fb, u.t_eff, u1_fb - feedforward, u.tau_phi, u.tau_theta, u.tau_psi}) cell(csv, value);
+      for (const double value :
+           {u.thrust, u1_fb, u.t_eff, u1_fb - feedforward, u.tau_phi, u.tau_theta, u.tau_psi})
+        cell(csv, value);
       for (const double w : row.rotor_speed_after) cell(csv, w);
     }
     csv += '\n';
@@ -80,15 +90,17 @@ std::string toCsv(const Trajectory& trajectory, const quad_control::Mixer& mixer
 
 std::string timingCsv(const Trajectory& trajectory, const std::vector<IntervalTiming>& timing) {
   if (trajectory.rows.size() != timing.size() + 1) {
-    throw std::invalid_argument(fmt::format("{} timings of {} intervals", timing.size(), trajectory.rows.size() - 1));
+    throw std::invalid_argument(
+        fmt::format("{} timings of {} intervals", timing.size(), trajectory.rows.size() - 1));
   }
   std::string csv = "k,t,dT,dT_ctrl,service_delay,estimated_delay\n";
   const auto first = static_cast<std::int64_t>(trajectory.firstExplored());
   for (std::size_t i = 0; i < timing.size(); ++i) {
     const std::int64_t time = trajectory.rows[i].state.odometry.time_ns;
     csv += std::to_string(static_cast<std::int64_t>(i) - first);
-    for (const double value : {seconds(time), seconds(trajectory.rows[i].next_time_ns - time), timing[i].wait,
-                               timing[i].service_delay, timing[i].estimated_delay}) {
+    for (const double value :
+         {seconds(time), seconds(trajectory.rows[i].next_time_ns - time), timing[i].wait,
+          timing[i].service_delay, timing[i].estimated_delay}) {
       cell(csv, value);
     }
     csv += '\n';

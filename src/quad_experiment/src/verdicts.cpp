@@ -58,8 +58,8 @@ void judgeAssumptions(const Trajectory& trajectory, FlightVerdict& v) {
 InitialVerdict judgeStart(const Knowledge& knowledge) {
   const LinearSystem truth = model(knowledge.truth, knowledge.gravity);
   const LinearSystem nominal = model(knowledge.estimate, knowledge.gravity);
-  const Eigen::VectorXd left =
-      explore_opt::compensatedDisturbance(truth, Eigen::VectorXd::Constant(1, knowledge.feedforward()));
+  const Eigen::VectorXd left = explore_opt::compensatedDisturbance(
+      truth, Eigen::VectorXd::Constant(1, knowledge.feedforward()));
   InitialVerdict v;
   v.error_norm = explore_opt::errorNorm(theta(truth), theta(nominal));
   v.lambda_D0 = explore_opt::closenessOfEstimate(knowledge.truth, knowledge.estimate);
@@ -69,7 +69,8 @@ InitialVerdict judgeStart(const Knowledge& knowledge) {
   return v;
 }
 
-FlightVerdict judgeFlight(const Knowledge& knowledge, const ExplorationData& data, const Trajectory& trajectory) {
+FlightVerdict judgeFlight(const Knowledge& knowledge, const ExplorationData& data,
+                          const Trajectory& trajectory) {
   FlightVerdict v;
   judgeDisturbance(knowledge, data, v);
   judgeAssumptions(trajectory, v);
@@ -89,8 +90,9 @@ FlightVerdict judgeFlight(const Knowledge& knowledge, const ExplorationData& dat
   v.truth_in_set = explore_opt::contains(*v.set, theta_true);
   v.exploration_condition = explore_opt::explorationCondition(*v.set, desired);
   v.objective_met = v.objective <= 1.0;
-  v.chain = explore_opt::judgeChain(*v.set, theta_true, desired,
-                                    scalar(explore_opt::closenessOfEstimate(knowledge.truth, knowledge.estimate)));
+  v.chain = explore_opt::judgeChain(
+      *v.set, theta_true, desired,
+      scalar(explore_opt::closenessOfEstimate(knowledge.truth, knowledge.estimate)));
   return v;
 }
 
@@ -99,7 +101,8 @@ TimeVerdict judgeTime(const Trajectory& trajectory, double sampling_period) {
   for (const TrajectoryRow& row : trajectory.rows) {
     if (row.last) continue;
     // Whole nanoseconds are subtracted first, so that the length is exact.
-    statistics.add(static_cast<double>(row.next_time_ns - row.state.odometry.time_ns) / 1e9, sampling_period);
+    statistics.add(static_cast<double>(row.next_time_ns - row.state.odometry.time_ns) / 1e9,
+                   sampling_period);
   }
   return {statistics.mean(), statistics.std(), statistics.maxAbsError()};
 }

@@ -29,8 +29,10 @@ class Scratch {
   std::filesystem::path path_;
 };
 
-/// The text of config/<name>, each {old, new} replaced once; a text that is not there fails the test.
-inline std::string shippedConfig(const std::string& name, const std::vector<std::pair<std::string, std::string>>& changes = {}) {
+/// The text of config/<name>, each {old, new} replaced once; a text that is not there fails the
+/// test.
+inline std::string shippedConfig(
+    const std::string& name, const std::vector<std::pair<std::string, std::string>>& changes = {}) {
   std::string text = quad_support::readFile("config/" + name);  // tests run in the package's folder
   for (const auto& [from, to] : changes) {
     const auto at = text.find(from);

@@ -27,7 +27,8 @@ ExperimentResult runInProcess(const ExperimentConfig& config, nlohmann::json* su
   InProcessPlant plant(config.simulation, config.control);
   ExperimentResult result = runExperiment(config, plant, "in_process", results);
   results.commit();
-  if (summary) *summary = nlohmann::json::parse(quad_support::readFile(scratch.path("out/summary.json")));
+  if (summary)
+    *summary = nlohmann::json::parse(quad_support::readFile(scratch.path("out/summary.json")));
   return result;
 }
 
@@ -64,8 +65,9 @@ TEST(ThesisExperiment, SummaryIsConsistent) {
   EXPECT_EQ(t["objective"].get<double>() <= 1.0, t["objective_met"].get<bool>());
   EXPECT_EQ(t["truth_in_set"], t["gamma_w_valid"]);  // the same statement, by Pythagoras
   // Both have the energy of the 370 samples flown, scaled to rounding.
-  EXPECT_NEAR(s["random"]["signal_energy"].get<double>(), t["signal_energy"].get<double>(), 1e-9 * 2007);
-  EXPECT_LE(t["max_tilt"].get<double>(), 1e-6);           // Assumption 1: nothing pushes it off the vertical
+  EXPECT_NEAR(s["random"]["signal_energy"].get<double>(), t["signal_energy"].get<double>(),
+              1e-9 * 2007);
+  EXPECT_LE(t["max_tilt"].get<double>(), 1e-6);  // Assumption 1: nothing pushes it off the vertical
   EXPECT_LE(t["max_lateral_speed"].get<double>(), 1e-6);  // Assumption 2
   EXPECT_GT(t["min_altitude"].get<double>(), 3900.0);     // it falls about 910 to 970 m
   EXPECT_LT(t["min_altitude"].get<double>(), 4200.0);
@@ -82,7 +84,8 @@ TEST(ThesisExperiment, SameInputsGiveTheSameBytes) {
   EXPECT_NE(first.flights[0].csv, first.flights[1].csv);
 }
 
-// Medians of 200 seeds of a point mass with rotor lag; the vehicle here has six degrees of freedom but moves vertically.
+// Medians of 200 seeds of a point mass with rotor lag; the vehicle here has six degrees of freedom
+// but moves vertically.
 TEST(ThesisExperiment, MediansOfManySeedsLieInTheThesisBands) {
   const ExperimentPlan plan = planExperiment(readExperimentConfig("config/thesis.yaml"));
   const auto runs = flySeeds(plan, 1, 200, 2);
@@ -94,14 +97,16 @@ TEST(ThesisExperiment, MediansOfManySeedsLieInTheThesisBands) {
   EXPECT_LE(median(runs, "targeted.gamma_w_sim"), 10.4);
   EXPECT_GE(median(runs, "targeted.B2"), 0.1358);
   EXPECT_LE(median(runs, "targeted.B2"), 0.1364);
-  // Printed as "about" to two figures: half a unit of the last, plus three standard errors of a median of 200 (1.25 sigma /
-  // sqrt(200), sigma 0.0043 from the 5 to 95 % range).
+  // Printed as "about" to two figures: half a unit of the last, plus three standard errors of a
+  // median of 200 (1.25 sigma / sqrt(200), sigma 0.0043 from the 5 to 95 % range).
   const double tolerance = 0.0005 + 3 * 1.25 * 0.0043 / std::sqrt(200.0);
   EXPECT_NEAR(median(runs, "random.B2"), 0.061, tolerance);
   EXPECT_NEAR(median(runs, "random.error_norm"), 0.076, tolerance);
   // "About 60 %" of the seeds falsify gamma_w; three standard errors of a share among 200 are 10 %.
   const auto G = sortedValues(runs, "random.G");
-  const double share = static_cast<double>(std::count_if(G.begin(), G.end(), [](double g) { return g < 0.0; })) / 200.0;
+  const double share =
+      static_cast<double>(std::count_if(G.begin(), G.end(), [](double g) { return g < 0.0; })) /
+      200.0;
   EXPECT_NEAR(share, 0.60, 3 * std::sqrt(0.6 * 0.4 / 200.0));
 }
 
@@ -132,19 +137,24 @@ TEST(AltitudeStep, SettlesAtTheReferenceWithTheVehiclesWeight) {  // thesis Fig.
   spec.end_of_hold = 20.0;
   InProcessPlant plant(plan.config.simulation, plan.config.control);
   const Trajectory flight = fly(plant, spec, middleware);
-  EXPECT_NEAR(flight.rows.back().state.odometry.p_WB.z(), spec.plan.references.z, 0.005);  // settles to 2 % in 2.4 s
-  // The thesis reads "exactly m g" off the figure; what is left of the slow integral after 20 s is below 1 mN.
+  EXPECT_NEAR(flight.rows.back().state.odometry.p_WB.z(), spec.plan.references.z,
+              0.005);  // settles to 2 % in 2.4 s
+  // The thesis reads "exactly m g" off the figure; what is left of the slow integral after 20 s is
+  // below 1 mN.
   EXPECT_NEAR(flight.rows[flight.rows.size() - 2].command.thrust, plan.vehicle.mass * 9.8, 1e-3);
 }
 
 TEST(Experiment, ReachingTheGroundIsAFailedSimulation) {
-  const auto config = configOf(shippedConfig("thesis.yaml", {{"initial_altitude: 5000.0", "initial_altitude: 100.0"}}));
+  const auto config = configOf(
+      shippedConfig("thesis.yaml", {{"initial_altitude: 5000.0", "initial_altitude: 100.0"}}));
   EXPECT_THROW(runInProcess(config), quad_support::SimulationError);
 }
 
 TEST(Experiment, AnUnkeptPromiseIsExitCodeThree) {
   // With a hundredth of the signal the condition cannot be met.
-  const auto config = configOf(shippedConfig("exact.yaml", {{"signal: designed", "signal: given\n  amplitudes: [0.01, 0.01, 0.01, 0.03]"}}));
+  const auto config = configOf(shippedConfig(
+      "exact.yaml",
+      {{"signal: designed", "signal: given\n  amplitudes: [0.01, 0.01, 0.01, 0.03]"}}));
   const ExperimentResult result = runInProcess(config);
   EXPECT_FALSE(result.targeted().verdict.exploration_condition);
   EXPECT_EQ(result.exitCode(), quad_support::kNegativeAnswer);

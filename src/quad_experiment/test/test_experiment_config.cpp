@@ -20,9 +20,11 @@ std::string complaint(const std::vector<std::pair<std::string, std::string>>& ch
   return "no error";
 }
 
-void expectComplaint(const std::vector<std::pair<std::string, std::string>>& changes, const std::vector<std::string>& parts) {
+void expectComplaint(const std::vector<std::pair<std::string, std::string>>& changes,
+                     const std::vector<std::string>& parts) {
   const std::string message = complaint(changes);
-  for (const auto& part : parts) EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+  for (const auto& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
 }
 
 }  // namespace
@@ -34,13 +36,16 @@ TEST(ExperimentConfig, ShippedFilesAreValid) {
   }
 }
 
-TEST(ExperimentConfig, ShippedFilesFlyTheSameGains) {  // derived once, see docs/design/0002-control-gains.md
+TEST(ExperimentConfig,
+     ShippedFilesFlyTheSameGains) {  // derived once, see docs/design/0002-control-gains.md
   const quad_control::ControlConfig thesis = readExperimentConfig("config/thesis.yaml").control;
   for (const char* name : {"exact.yaml", "wallclock.yaml", "smoke.yaml"}) {
     SCOPED_TRACE(name);
-    const quad_control::ControlConfig other = readExperimentConfig(std::string("config/") + name).control;
-    for (const auto gains : {&quad_control::ControlConfig::roll_pitch, &quad_control::ControlConfig::yaw,
-                             &quad_control::ControlConfig::altitude}) {
+    const quad_control::ControlConfig other =
+        readExperimentConfig(std::string("config/") + name).control;
+    for (const auto gains :
+         {&quad_control::ControlConfig::roll_pitch, &quad_control::ControlConfig::yaw,
+          &quad_control::ControlConfig::altitude}) {
       EXPECT_EQ((thesis.*gains).position, (other.*gains).position);
       EXPECT_EQ((thesis.*gains).position_integral, (other.*gains).position_integral);
       EXPECT_EQ((thesis.*gains).velocity, (other.*gains).velocity);
@@ -59,26 +64,37 @@ TEST(ExperimentConfig, ResolvedYamlReadsBackToTheSameConfiguration) {
 }
 
 TEST(ExperimentConfig, MistakesNameKeyValueAndLimit) {
-  expectComplaint({{"gamma_w: 20.0", "gamma_w: -1"}}, {"c.yaml:", "design.gamma_w = -1", "must be > 0"});
+  expectComplaint({{"gamma_w: 20.0", "gamma_w: -1"}},
+                  {"c.yaml:", "design.gamma_w = -1", "must be > 0"});
   expectComplaint({{"gamma_w: 20.0", "gamma_w: .nan"}}, {"design.gamma_w = .nan", "must be > 0"});
-  expectComplaint({{"[3, 6, 8, 10]", "[3, 6, 6, 10]"}}, {"design.harmonics[2] = 6", "stands twice", "T/2 = 185"});
-  expectComplaint({{"[3, 6, 8, 10]", "[3, 6, 8.5, 10]"}}, {"design.harmonics[2] = 8.5", "whole number in 1..184"});
-  expectComplaint({{"[3, 6, 8, 10]", "[3, 6, 8, 185]"}}, {"design.harmonics[3] = 185", "whole number in 1..184"});
-  expectComplaint({{"sampling_period: 0.1 ", "sampling_period: 0.1005 "}}, {"timing.sampling_period = 0.1005", "0.001"});
+  expectComplaint({{"[3, 6, 8, 10]", "[3, 6, 6, 10]"}},
+                  {"design.harmonics[2] = 6", "stands twice", "T/2 = 185"});
+  expectComplaint({{"[3, 6, 8, 10]", "[3, 6, 8.5, 10]"}},
+                  {"design.harmonics[2] = 8.5", "whole number in 1..184"});
+  expectComplaint({{"[3, 6, 8, 10]", "[3, 6, 8, 185]"}},
+                  {"design.harmonics[3] = 185", "whole number in 1..184"});
+  expectComplaint({{"sampling_period: 0.1 ", "sampling_period: 0.1005 "}},
+                  {"timing.sampling_period = 0.1005", "0.001"});
   expectComplaint({{"mass: 0.73 ", "mass: -0.73 "}}, {"vehicle.mass = -0.73"});
   expectComplaint({{"seed: 1 ", "sede: 1 "}}, {"seed is missing"});
   expectComplaint({{"seed: 1 ", "seed: 1\nextra: 1 "}}, {"extra is not a key"});
-  expectComplaint({{"method: global", "method: best"}}, {"design.method = best", "must be one of: global, mm"});
-  expectComplaint({{"[0.04, 0.94, 1.76, -2.62]", "[0.04, 0.94]"}}, {"design.amplitudes", "list of 4 numbers"});
+  expectComplaint({{"method: global", "method: best"}},
+                  {"design.method = best", "must be one of: global, mm"});
+  expectComplaint({{"[0.04, 0.94, 1.76, -2.62]", "[0.04, 0.94]"}},
+                  {"design.amplitudes", "list of 4 numbers"});
   expectComplaint({{"latency: 0.045", "latency: 0.1"}}, {"timing.latency = 0.1"});
-  expectComplaint({{"gamma_w: 20.0", "gamma_w: 20.0\n  gamma_w: 21.0"}}, {"design.gamma_w stands twice"});
-  expectComplaint({{"sampling_period: 0.1 ", "sampling_period: 1e7 "}}, {"timing.sampling_period = 1e7", "60"});
+  expectComplaint({{"gamma_w: 20.0", "gamma_w: 20.0\n  gamma_w: 21.0"}},
+                  {"design.gamma_w stands twice"});
+  expectComplaint({{"sampling_period: 0.1 ", "sampling_period: 1e7 "}},
+                  {"timing.sampling_period = 1e7", "60"});
   expectComplaint({{"jitter_std: 0.0056", "jitter_std: 1e7"}}, {"timing.jitter_std = 1e7", "0.1"});
   expectComplaint({{"hold_time: 6.0", "hold_time: 1e9"}}, {"control.hold_time = 1e9", "3600"});
   expectComplaint({{"mass: 0.6247", "mass: 3"}}, {"estimate.mass = 3", "must be below"});
   expectComplaint({{"gravity: 9.8", "gravity: 0"}}, {"simulation.gravity = 0", "must be > 0"});
-  expectComplaint({{"altitude: [2.4, 0.7, 2.4, 0.6]", "altitude: [2.4, 0, 2.4, 0]"}}, {"control.altitude", "integral gain"});
-  expectComplaint({{"[0.04, 0.94, 1.76, -2.62]", "[1e300, 0.94, 1.76, -2.62]"}}, {"design.amplitudes[0] = 1e300"});
+  expectComplaint({{"altitude: [2.4, 0.7, 2.4, 0.6]", "altitude: [2.4, 0, 2.4, 0]"}},
+                  {"control.altitude", "integral gain"});
+  expectComplaint({{"[0.04, 0.94, 1.76, -2.62]", "[1e300, 0.94, 1.76, -2.62]"}},
+                  {"design.amplitudes[0] = 1e300"});
   expectComplaint({{"urdf: hummingbird.urdf", "urdf: none.urdf"}}, {"vehicle.urdf = none.urdf"});
 }
 
@@ -94,18 +110,23 @@ TEST(ExperimentConfig, TheModeAskedForReplacesTheFiles) {
 }
 
 TEST(ExperimentConfig, VehicleThatCannotFlyIsNamed) {
-  std::string urdf = quad_support::readFile(readExperimentConfig("config/thesis.yaml").simulation.urdf);
+  std::string urdf =
+      quad_support::readFile(readExperimentConfig("config/thesis.yaml").simulation.urdf);
   for (std::size_t at = 0; (at = urdf.find("<momentConstant>", at)) != std::string::npos; ++at) {
     urdf.replace(at, urdf.find('<', at + 1) - at, "<momentConstant>0");
   }
   const Scratch scratch;
   quad_support::writeFileAtomically(scratch.path("bee.urdf"), urdf);
-  quad_support::writeFileAtomically(scratch.path("c.yaml"), shippedConfig("thesis.yaml", {{"urdf: hummingbird.urdf", "urdf: bee.urdf"}}));
+  quad_support::writeFileAtomically(
+      scratch.path("c.yaml"),
+      shippedConfig("thesis.yaml", {{"urdf: hummingbird.urdf", "urdf: bee.urdf"}}));
   try {
     readExperimentConfig(scratch.path("c.yaml"));
     FAIL() << "without drag torque nothing turns the vehicle's heading";
   } catch (const quad_support::ConfigError& e) {
-    EXPECT_EQ(std::string(e.what()).rfind(scratch.path("bee.urdf") + ": control allocation: ", 0), 0u) << e.what();
+    EXPECT_EQ(std::string(e.what()).rfind(scratch.path("bee.urdf") + ": control allocation: ", 0),
+              0u)
+        << e.what();
   }
 }
 

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::int64_t kMillisecond = 1000000;
 
-/// Moves up by a metre a second; answers with its time as thrust. What a plant does is not the loop's business.
+/// Moves up by a metre a second; answers with its time as thrust. What a plant does is not the
+/// loop's business.
 class FakePlant : public Plant {
  public:
   quad_sim::Measurement begin(const quad_control::FlightPlan&) override {
@@ -30,7 +31,8 @@ class FakePlant : public Plant {
     commands_.push_back(command);
     now_.odometry.time_ns += interval.steps * kMillisecond;
     now_.odometry.p_WB.z() += z_per_interval;
-    if (now_.odometry.time_ns == nan_at_ns) now_.odometry.p_WB.x() = std::numeric_limits<double>::quiet_NaN();
+    if (now_.odometry.time_ns == nan_at_ns)
+      now_.odometry.p_WB.x() = std::numeric_limits<double>::quiet_NaN();
     return now_;
   }
   std::vector<quad_control::ControlOutput> end() override { return commands_; }
@@ -61,7 +63,8 @@ TEST(Fly, HoldsThenExploresAllSamplesAndOneMoreState) {
   EXPECT_TRUE(trajectory.rows.back().last);
   EXPECT_FALSE(trajectory.rows[11].last);
   for (std::size_t i = 0; i + 1 < trajectory.rows.size(); ++i) {
-    EXPECT_EQ(trajectory.rows[i].command.thrust, static_cast<double>(trajectory.rows[i].state.odometry.time_ns));
+    EXPECT_EQ(trajectory.rows[i].command.thrust,
+              static_cast<double>(trajectory.rows[i].state.odometry.time_ns));
     EXPECT_EQ(trajectory.rows[i].next_time_ns, trajectory.rows[i + 1].state.odometry.time_ns);
   }
 }
@@ -80,7 +83,9 @@ TEST(Fly, TimingFileHasARowAnInterval) {
   const Trajectory trajectory = fly(plant, spec(2), kExact);
   std::vector<IntervalTiming> timing(7, {0.08, 0.02, 0.015});
   const std::string csv = timingCsv(trajectory, timing);
-  EXPECT_EQ(csv.rfind("k,t,dT,dT_ctrl,service_delay,estimated_delay\n-5,0,0.1,0.08,0.02,0.015\n", 0), 0u) << csv;
+  EXPECT_EQ(
+      csv.rfind("k,t,dT,dT_ctrl,service_delay,estimated_delay\n-5,0,0.1,0.08,0.02,0.015\n", 0), 0u)
+      << csv;
   EXPECT_NE(csv.find("\n1,0.6,0.1,0.08,0.02,0.015\n"), std::string::npos) << csv;
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 8);
   timing.pop_back();

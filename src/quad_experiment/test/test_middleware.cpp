@@ -32,7 +32,8 @@ TEST(Middleware, JitterHasTheConfiguredSpread) {
     sum += interval.steps;
     square += std::pow(interval.steps - 100.0, 2);
   }
-  // Rounding to whole steps adds 1/12 to the variance of 5.6² steps²; five standard errors of mean and variance.
+  // Rounding to whole steps adds 1/12 to the variance of 5.6² steps²; five standard errors of mean
+  // and variance.
   const double variance = 5.6 * 5.6 + 1.0 / 12;
   EXPECT_NEAR(sum / n, 100.0, 5 * std::sqrt(variance / n));
   EXPECT_NEAR(square / n, variance, 5 * variance * std::sqrt(2.0 / n));
@@ -42,13 +43,15 @@ TEST(Middleware, LatencyIsAlwaysFollowedByTheNewCommand) {
   const Middleware wild({0.1, 0.09, 0.1, 0.001}, 3, 0);
   int shortest = 1000;
   for (std::uint64_t i = 0; i < 1000; ++i) shortest = std::min(shortest, wild.interval(i).steps);
-  EXPECT_EQ(shortest, 91);  // max(latency + 1, …): a jitter of 0.1 s reaches the bound in 1000 draws
+  EXPECT_EQ(shortest,
+            91);  // max(latency + 1, …): a jitter of 0.1 s reaches the bound in 1000 draws
 }
 
 TEST(Middleware, FlightsAndSeedsHaveTheirOwnStreams) {
   const auto lengths = [](std::uint64_t seed, std::uint64_t flight) {
     std::vector<int> result;
-    for (std::uint64_t i = 0; i < 50; ++i) result.push_back(Middleware(kThesis, seed, flight).interval(i).steps);
+    for (std::uint64_t i = 0; i < 50; ++i)
+      result.push_back(Middleware(kThesis, seed, flight).interval(i).steps);
     return result;
   };
   EXPECT_EQ(lengths(1, 0), lengths(1, 0));

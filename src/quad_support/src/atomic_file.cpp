@@ -28,7 +28,8 @@ void syncPath(const std::string& path, int flags) {
   const int result = ::fsync(fd);
   const int error = errno;
   ::close(fd);
-  if (result != 0 && error != EINVAL) fail("flush", path, error);  // EINVAL: this file system cannot sync
+  if (result != 0 && error != EINVAL)
+    fail("flush", path, error);  // EINVAL: this file system cannot sync
 }
 
 std::string parentOf(const std::string& path) {
@@ -58,13 +59,16 @@ void writeAndSync(const std::string& path, std::string_view content) {
 
 /// @throws std::invalid_argument unless what is at `path` is nobody's loss
 void requireReplaceable(const std::string& path) {
-  if (!fs::is_directory(path)) throw std::invalid_argument(path + ": is not a directory; name another one");
+  if (!fs::is_directory(path))
+    throw std::invalid_argument(path + ": is not a directory; name another one");
   if (fs::is_empty(path)) return;
   for (const char* mark : {"config.yaml", "provenance.json", "summary.json"}) {
     if (fs::exists(fs::path(path) / mark)) return;
   }
-  throw std::invalid_argument(path + ": holds other files than an experiment's results, so --force does not replace it; name "
-                                     "another directory");
+  throw std::invalid_argument(
+      path +
+      ": holds other files than an experiment's results, so --force does not replace it; name "
+      "another directory");
 }
 
 }  // namespace
@@ -82,9 +86,11 @@ void writeFileAtomically(const std::string& path, std::string_view content) {
 
 std::string readFile(const std::string& path) {
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) throw std::invalid_argument(path + ": is a directory, not a file");
+  if (fs::is_directory(path, ignored))
+    throw std::invalid_argument(path + ": is a directory, not a file");
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw std::invalid_argument(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  if (!in)
+    throw std::invalid_argument(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
   std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (in.bad()) throw std::invalid_argument(path + ": reading failed");
   return content;
@@ -95,11 +101,14 @@ ResultDirectory::ResultDirectory(const std::string& path, bool overwrite)
   while (final_.size() > 1 && final_.back() == '/') final_.pop_back();
   const std::string name = fs::path(final_).filename().string();
   if (name.empty() || name == "." || name == "..") {
-    throw std::invalid_argument("'" + path + "' cannot be a results directory; give it a name of its own");
+    throw std::invalid_argument("'" + path +
+                                "' cannot be a results directory; give it a name of its own");
   }
   std::error_code error;
   if (fs::exists(fs::symlink_status(final_, error))) {
-    if (!overwrite) throw std::invalid_argument(final_ + ": exists already; name another directory or give --force");
+    if (!overwrite)
+      throw std::invalid_argument(final_ +
+                                  ": exists already; name another directory or give --force");
     requireReplaceable(final_);
   }
   const std::string parent = parentOf(final_);
@@ -126,9 +135,11 @@ void ResultDirectory::write(const std::string& name, std::string_view content) {
 
 void ResultDirectory::commit() {
   syncPath(work_, O_RDONLY | O_DIRECTORY);
-  // An older directory and the new one swap names in one step, so there is no moment without results.
+  // An older directory and the new one swap names in one step, so there is no moment without
+  // results.
   const bool exists = ::access(final_.c_str(), F_OK) == 0;
-  if (exists && !overwrite_) throw std::invalid_argument(final_ + ": appeared meanwhile; nothing was overwritten");
+  if (exists && !overwrite_)
+    throw std::invalid_argument(final_ + ": appeared meanwhile; nothing was overwritten");
   const unsigned flags = exists ? RENAME_EXCHANGE : RENAME_NOREPLACE;
   if (::renameat2(AT_FDCWD, work_.c_str(), AT_FDCWD, final_.c_str(), flags) != 0) {
     fail("rename finished results to", final_, errno);

@@ -19,8 +19,12 @@ namespace quad_support {
 Range Range::any(std::string unit) { return closed(-HUGE_VAL, HUGE_VAL, std::move(unit)); }
 Range Range::positive(std::string unit) { return open(0.0, HUGE_VAL, std::move(unit)); }
 Range Range::nonNegative(std::string unit) { return closed(0.0, HUGE_VAL, std::move(unit)); }
-Range Range::closed(double min, double max, std::string unit) { return {min, max, false, false, std::move(unit)}; }
-Range Range::open(double min, double max, std::string unit) { return {min, max, true, true, std::move(unit)}; }
+Range Range::closed(double min, double max, std::string unit) {
+  return {min, max, false, false, std::move(unit)};
+}
+Range Range::open(double min, double max, std::string unit) {
+  return {min, max, true, true, std::move(unit)};
+}
 
 struct ConfigReader::Node {
   YAML::Node yaml;
@@ -39,11 +43,13 @@ int lineOf(const YAML::Node& node) { return node.Mark().line + 1; }
 std::string describe(const Range& r) {
   const std::string unit = r.unit.empty() ? "" : " " + r.unit;
   if (std::isfinite(r.min) && std::isfinite(r.max)) {
-    return fmt::format("must lie in {}{}, {}{}{}", r.open_min ? "(" : "[", shortest(r.min), shortest(r.max),
-                       r.open_max ? ")" : "]", unit);
+    return fmt::format("must lie in {}{}, {}{}{}", r.open_min ? "(" : "[", shortest(r.min),
+                       shortest(r.max), r.open_max ? ")" : "]", unit);
   }
-  if (std::isfinite(r.min)) return fmt::format("must be {} {}{}", r.open_min ? ">" : ">=", shortest(r.min), unit);
-  if (std::isfinite(r.max)) return fmt::format("must be {} {}{}", r.open_max ? "<" : "<=", shortest(r.max), unit);
+  if (std::isfinite(r.min))
+    return fmt::format("must be {} {}{}", r.open_min ? ">" : ">=", shortest(r.min), unit);
+  if (std::isfinite(r.max))
+    return fmt::format("must be {} {}{}", r.open_max ? "<" : "<=", shortest(r.max), unit);
   return "must be a finite number" + (r.unit.empty() ? "" : " in " + r.unit);
 }
 
@@ -59,7 +65,8 @@ std::string valueText(const YAML::Node& node) {
   return out.c_str();
 }
 
-// The YAML core schema's words for what parseDouble() leaves out, so that the message can say "nan" and not "text".
+// The YAML core schema's words for what parseDouble() leaves out, so that the message can say "nan"
+// and not "text".
 double scalarToDouble(const std::string& text) {
   if (text == ".nan" || text == ".NaN" || text == ".NAN") return std::nan("");
   if (text == ".inf" || text == "+.inf") return HUGE_VAL;
@@ -74,20 +81,22 @@ ConfigReader::ConfigReader(std::shared_ptr<const Node> node) : node_(std::move(n
 namespace {
 
 template <class NodeType>
-std::shared_ptr<NodeType> makeNode(const YAML::Node& yaml, const std::string& file, const std::string& prefix, int line) {
+std::shared_ptr<NodeType> makeNode(const YAML::Node& yaml, const std::string& file,
+                                   const std::string& prefix, int line) {
   auto node = std::make_shared<NodeType>();
   node->yaml = yaml;
   node->file = file;
   node->prefix = prefix;
   node->line = line;
   const std::string name = prefix.empty() ? "the file" : prefix.substr(0, prefix.size() - 1);
-  if (!yaml.IsMap()) throw ConfigError(fmt::format("{}:{}: {} must be a map of keys and values", file, line, name));
+  if (!yaml.IsMap())
+    throw ConfigError(fmt::format("{}:{}: {} must be a map of keys and values", file, line, name));
   for (const auto& entry : yaml) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : valueText(entry.first);
     const int key_line = lineOf(entry.first);
     if (!node->entries.emplace(key, entry.second).second) {
-      throw ConfigError(fmt::format("{}:{}: {}{} stands twice (first on line {}); remove one", file, key_line, prefix, key,
-                                    node->lines[key]));
+      throw ConfigError(fmt::format("{}:{}: {}{} stands twice (first on line {}); remove one", file,
+                                    key_line, prefix, key, node->lines[key]));
     }
     node->lines[key] = key_line;
   }
@@ -105,30 +114,37 @@ ConfigReader ConfigReader::fromText(const std::string& text, const std::string& 
   }
 }
 
-ConfigReader ConfigReader::fromFile(const std::string& path) { return fromText(readFile(path), path); }
+ConfigReader ConfigReader::fromFile(const std::string& path) {
+  return fromText(readFile(path), path);
+}
 
 bool ConfigReader::has(const std::string& key) const {
   node_->asked.insert(key);
   return node_->entries.count(key) > 0;
 }
 
-bool ConfigReader::isSection(const std::string& key) const { return has(key) && node_->entries.at(key).IsMap(); }
+bool ConfigReader::isSection(const std::string& key) const {
+  return has(key) && node_->entries.at(key).IsMap();
+}
 
 void ConfigReader::fail(const std::string& key, const std::string& problem, int index) const {
   const std::string name = node_->prefix + key + (index >= 0 ? fmt::format("[{}]", index) : "");
   const auto it = node_->entries.find(key);
-  if (it == node_->entries.end()) throw ConfigError(fmt::format("{}:{}: {} {}", node_->file, node_->line, name, problem));
+  if (it == node_->entries.end())
+    throw ConfigError(fmt::format("{}:{}: {} {}", node_->file, node_->line, name, problem));
   YAML::Node value = it->second;
   if (index >= 0) value.reset(value[static_cast<std::size_t>(index)]);
   const int line = value.IsNull() || lineOf(value) == 0 ? node_->lines.at(key) : lineOf(value);
-  throw ConfigError(fmt::format("{}:{}: {} = {}; {}", node_->file, line, name, valueText(value), problem));
+  throw ConfigError(
+      fmt::format("{}:{}: {} = {}; {}", node_->file, line, name, valueText(value), problem));
 }
 
 ConfigReader ConfigReader::section(const std::string& key) const {
   if (!has(key)) fail(key, "is missing; add the section");
   const YAML::Node value = node_->entries.at(key);
   if (!value.IsMap()) fail(key, "must be a map of keys and values");
-  return ConfigReader(makeNode<Node>(value, node_->file, node_->prefix + key + ".", node_->lines.at(key)));
+  return ConfigReader(
+      makeNode<Node>(value, node_->file, node_->prefix + key + ".", node_->lines.at(key)));
 }
 
 namespace {
@@ -143,7 +159,8 @@ YAML::Node require(const Reader& reader, const Entries& entries, const std::stri
   return value;
 }
 
-double toNumber(const ConfigReader& reader, const YAML::Node& node, const std::string& key, const Range& range, int index) {
+double toNumber(const ConfigReader& reader, const YAML::Node& node, const std::string& key,
+                const Range& range, int index) {
   double value = 0;
   try {
     value = scalarToDouble(node.IsScalar() ? node.Scalar() : "");
@@ -154,8 +171,8 @@ double toNumber(const ConfigReader& reader, const YAML::Node& node, const std::s
   return value;
 }
 
-std::int64_t toInteger(const ConfigReader& reader, const YAML::Node& node, const std::string& key, std::int64_t min,
-                       std::int64_t max, int index) {
+std::int64_t toInteger(const ConfigReader& reader, const YAML::Node& node, const std::string& key,
+                       std::int64_t min, std::int64_t max, int index) {
   const std::string expected = max == std::numeric_limits<std::int64_t>::max()
                                    ? fmt::format("must be a whole number >= {}", min)
                                    : fmt::format("must be a whole number in {}..{}", min, max);
@@ -166,7 +183,8 @@ std::int64_t toInteger(const ConfigReader& reader, const YAML::Node& node, const
     reader.fail(key, expected, index);
   }
   constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
-  if (!std::isfinite(value) || value != std::floor(value) || std::abs(value) > kExactIntegers) reader.fail(key, expected, index);
+  if (!std::isfinite(value) || value != std::floor(value) || std::abs(value) > kExactIntegers)
+    reader.fail(key, expected, index);
   const auto integer = static_cast<std::int64_t>(value);
   if (integer < min || integer > max) reader.fail(key, expected, index);
   return integer;
@@ -181,15 +199,19 @@ void requireChoice(const ConfigReader& reader, const std::string& value, const s
 }  // namespace
 
 double ConfigReader::number(const std::string& key, const Range& range) const {
-  return toNumber(*this, require(*this, node_->entries, key, false, describe(range)), key, range, -1);
+  return toNumber(*this, require(*this, node_->entries, key, false, describe(range)), key, range,
+                  -1);
 }
 
-std::int64_t ConfigReader::integer(const std::string& key, std::int64_t min, std::int64_t max) const {
-  return toInteger(*this, require(*this, node_->entries, key, false, "must be a whole number"), key, min, max, -1);
+std::int64_t ConfigReader::integer(const std::string& key, std::int64_t min,
+                                   std::int64_t max) const {
+  return toInteger(*this, require(*this, node_->entries, key, false, "must be a whole number"), key,
+                   min, max, -1);
 }
 
 bool ConfigReader::boolean(const std::string& key) const {
-  const std::string value = require(*this, node_->entries, key, false, "must be true or false").Scalar();
+  const std::string value =
+      require(*this, node_->entries, key, false, "must be true or false").Scalar();
   if (value != "true" && value != "false") fail(key, "must be true or false");
   return value == "true";
 }
@@ -200,32 +222,41 @@ std::string ConfigReader::text(const std::string& key) const {
   return value;
 }
 
-std::string ConfigReader::choice(const std::string& key, const std::vector<std::string>& choices) const {
+std::string ConfigReader::choice(const std::string& key,
+                                 const std::vector<std::string>& choices) const {
   const std::string expected = fmt::format("must be one of: {}", fmt::join(choices, ", "));
   const std::string value = require(*this, node_->entries, key, false, expected).Scalar();
   requireChoice(*this, value, key, choices, -1);
   return value;
 }
 
-std::vector<double> ConfigReader::numbers(const std::string& key, const Range& range, std::size_t size) const {
-  const std::string expected = size > 0 ? fmt::format("must be a list of {} numbers", size) : "must be a list of numbers";
+std::vector<double> ConfigReader::numbers(const std::string& key, const Range& range,
+                                          std::size_t size) const {
+  const std::string expected =
+      size > 0 ? fmt::format("must be a list of {} numbers", size) : "must be a list of numbers";
   const YAML::Node list = require(*this, node_->entries, key, true, expected);
   if (list.size() == 0 || (size > 0 && list.size() != size)) fail(key, expected);
   std::vector<double> values;
-  for (std::size_t i = 0; i < list.size(); ++i) values.push_back(toNumber(*this, list[i], key, range, static_cast<int>(i)));
+  for (std::size_t i = 0; i < list.size(); ++i)
+    values.push_back(toNumber(*this, list[i], key, range, static_cast<int>(i)));
   return values;
 }
 
-std::vector<std::int64_t> ConfigReader::integers(const std::string& key, std::int64_t min, std::int64_t max) const {
-  const YAML::Node list = require(*this, node_->entries, key, true, "must be a list of whole numbers");
+std::vector<std::int64_t> ConfigReader::integers(const std::string& key, std::int64_t min,
+                                                 std::int64_t max) const {
+  const YAML::Node list =
+      require(*this, node_->entries, key, true, "must be a list of whole numbers");
   if (list.size() == 0) fail(key, "must be a list of whole numbers, not empty");
   std::vector<std::int64_t> values;
-  for (std::size_t i = 0; i < list.size(); ++i) values.push_back(toInteger(*this, list[i], key, min, max, static_cast<int>(i)));
+  for (std::size_t i = 0; i < list.size(); ++i)
+    values.push_back(toInteger(*this, list[i], key, min, max, static_cast<int>(i)));
   return values;
 }
 
-std::vector<std::string> ConfigReader::choices(const std::string& key, const std::vector<std::string>& choices) const {
-  const YAML::Node list = require(*this, node_->entries, key, true, fmt::format("must be a list of: {}", fmt::join(choices, ", ")));
+std::vector<std::string> ConfigReader::choices(const std::string& key,
+                                               const std::vector<std::string>& choices) const {
+  const YAML::Node list = require(*this, node_->entries, key, true,
+                                  fmt::format("must be a list of: {}", fmt::join(choices, ", ")));
   std::vector<std::string> values;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string value = list[i].IsScalar() ? list[i].Scalar() : "";
@@ -242,14 +273,17 @@ void ConfigReader::finish() const {
   }
   if (unknown.empty()) return;
   const auto [line, key] = *std::min_element(unknown.begin(), unknown.end());
-  throw ConfigError(fmt::format("{}:{}: {}{} is not a key of this program; known here: {}", node_->file, line, node_->prefix,
-                                key, fmt::join(node_->asked, ", ")));
+  throw ConfigError(fmt::format("{}:{}: {}{} is not a key of this program; known here: {}",
+                                node_->file, line, node_->prefix, key,
+                                fmt::join(node_->asked, ", ")));
 }
 
 std::string ConfigReader::resolvePath(const std::string& path) const {
   namespace fs = std::filesystem;
   const fs::path given(path);
-  return given.is_absolute() ? path : (fs::path(node_->file).parent_path() / given).lexically_normal().string();
+  return given.is_absolute()
+             ? path
+             : (fs::path(node_->file).parent_path() / given).lexically_normal().string();
 }
 
 const std::string& ConfigReader::file() const { return node_->file; }

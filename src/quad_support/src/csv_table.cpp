@@ -45,14 +45,15 @@ CsvTable CsvTable::parse(std::string_view text, const std::string& source) {
       std::sort(sorted.begin(), sorted.end());
       const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
       if (twice != sorted.end()) {
-        throw DataError(fmt::format("{}:{}: column '{}' stands twice in the header", source, line_number, *twice));
+        throw DataError(fmt::format("{}:{}: column '{}' stands twice in the header", source,
+                                    line_number, *twice));
       }
       table.columns_ = std::move(cells);
       continue;
     }
     if (cells.size() != table.columns_.size()) {
-      throw DataError(fmt::format("{}:{}: {} cells, but the header has {} columns", source, line_number, cells.size(),
-                                  table.columns_.size()));
+      throw DataError(fmt::format("{}:{}: {} cells, but the header has {} columns", source,
+                                  line_number, cells.size(), table.columns_.size()));
     }
     table.rows_.push_back(std::move(cells));
     table.lines_.push_back(line_number);
@@ -70,7 +71,8 @@ bool CsvTable::has(const std::string& column) const {
 std::size_t CsvTable::indexOf(const std::string& column) const {
   const auto it = std::find(columns_.begin(), columns_.end(), column);
   if (it == columns_.end()) {
-    throw DataError(fmt::format("{}: no column '{}'; there are {}", source_, column, fmt::join(columns_, ", ")));
+    throw DataError(fmt::format("{}: no column '{}'; there are {}", source_, column,
+                                fmt::join(columns_, ", ")));
   }
   return static_cast<std::size_t>(it - columns_.begin());
 }
@@ -86,8 +88,8 @@ double CsvTable::number(std::size_t row, const std::string& column) const {
     if (std::isfinite(value)) return value;
   } catch (const std::invalid_argument&) {  // said below, with file and line
   }
-  throw DataError(
-      fmt::format("{}:{}: column {} holds '{}', not a finite number", source_, lines_[row], column, cell));
+  throw DataError(fmt::format("{}:{}: column {} holds '{}', not a finite number", source_,
+                              lines_[row], column, cell));
 }
 
 }  // namespace quad_support

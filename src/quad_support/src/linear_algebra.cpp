@@ -18,9 +18,13 @@ VectorXd symmetricEigenvalues(const MatrixXd& m) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(m, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-MatrixXd inverseSquareRoot(const MatrixXd& m) { return Eigen::SelfAdjointEigenSolver<MatrixXd>(m).operatorInverseSqrt(); }
+MatrixXd inverseSquareRoot(const MatrixXd& m) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(m).operatorInverseSqrt();
+}
 
-VectorXd singularValues(const MatrixXd& m) { return Eigen::JacobiSVD<MatrixXd>(m).singularValues(); }
+VectorXd singularValues(const MatrixXd& m) {
+  return Eigen::JacobiSVD<MatrixXd>(m).singularValues();
+}
 
 MatrixXd leftSingularVectors(const MatrixXd& m) {
   return Eigen::JacobiSVD<MatrixXd>(m, Eigen::ComputeFullU).matrixU();

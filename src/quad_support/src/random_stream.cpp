@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kTwoPi = 6.283185307179586476925286766559;
 
-// The upper 53 bits as the middle of one of 2^53 equal cells of (0, 1): never 0, never 1 (for 1 - 2^-54 rounds to
-// 1 - 2^-53), so that the logarithm below is finite.
+// The upper 53 bits as the middle of one of 2^53 equal cells of (0, 1): never 0, never 1 (for 1 -
+// 2^-54 rounds to 1 - 2^-53), so that the logarithm below is finite.
 double unitInterval(std::uint64_t bits) {
   const double cell = static_cast<double>(bits >> 11);
   const double value = (cell + 0.5) * 0x1p-53;
@@ -35,7 +35,8 @@ double RandomStream::uniform(std::uint64_t step, std::uint64_t draw) const {
 
 double RandomStream::normal(std::uint64_t step, std::uint64_t draw) const {
   const auto bits = block(step, draw);
-  return std::sqrt(-2.0 * std::log(unitInterval(bits[0]))) * std::cos(kTwoPi * unitInterval(bits[1]));
+  return std::sqrt(-2.0 * std::log(unitInterval(bits[0]))) *
+         std::cos(kTwoPi * unitInterval(bits[1]));
 }
 
 }  // namespace quad_support

@@ -1,8 +1,7 @@
 #include "quad_support/sha256.hpp"
 
-#include <sys/types.h>
-
 #include <sha2.h>
+#include <sys/types.h>
 
 #include <cstdint>
 

@@ -36,7 +36,8 @@ TEST(ConfigReader, ReadsEveryKind) {
 }
 
 TEST(ConfigReader, MessagesNameFileLineKeyValueAndLimit) {
-  const auto c = parse("timing:\n  period: -0.1\n  list: [1, 200]\n  word: 1s\n  nan: .nan\n").section("timing");
+  const auto c = parse("timing:\n  period: -0.1\n  list: [1, 200]\n  word: 1s\n  nan: .nan\n")
+                     .section("timing");
   EXPECT_EQ(messageOf([&] { c.number("period", Range::positive("s")); }),
             "c.yaml:2: timing.period = -0.1; must be > 0 s");
   EXPECT_EQ(messageOf([&] { c.integers("list", 1, 184); }),
@@ -50,13 +51,16 @@ TEST(ConfigReader, MessagesNameFileLineKeyValueAndLimit) {
 }
 
 TEST(ConfigReader, UnknownAndDuplicateKeysAreErrors) {
-  EXPECT_EQ(messageOf([] { parse("a: 1\nb: 2\na: 3\n"); }), "c.yaml:3: a stands twice (first on line 1); remove one");
+  EXPECT_EQ(messageOf([] { parse("a: 1\nb: 2\na: 3\n"); }),
+            "c.yaml:3: a stands twice (first on line 1); remove one");
   const auto c = parse("a: 1\nb: 2\n");
   c.number("a", Range::any());
-  EXPECT_EQ(messageOf([&] { c.finish(); }), "c.yaml:2: b is not a key of this program; known here: a");
+  EXPECT_EQ(messageOf([&] { c.finish(); }),
+            "c.yaml:2: b is not a key of this program; known here: a");
 }
 
 TEST(ConfigReader, BrokenYamlNamesTheLine) {
   EXPECT_EQ(messageOf([] { parse("a: 1\n  b: 2\n"); }).substr(0, 9), "c.yaml:2:");
-  EXPECT_EQ(messageOf([] { parse("just text\n"); }), "c.yaml:1: the file must be a map of keys and values");
+  EXPECT_EQ(messageOf([] { parse("just text\n"); }),
+            "c.yaml:1: the file must be a map of keys and values");
 }

@@ -26,7 +26,8 @@ class ScratchDirectory : public ::testing::Test {
   }
   void TearDown() override { fs::remove_all(dir_); }
   std::size_t entries() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(dir_), fs::directory_iterator()));
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(dir_), fs::directory_iterator()));
   }
   fs::path dir_;
 };
@@ -38,7 +39,8 @@ using AtomicFile = ScratchDirectory;
 TEST(NumberFormat, RoundTripsEveryDouble) {
   const RandomStream random(7, 0, 0);
   for (std::uint64_t i = 0; i < 1000; ++i) {
-    const double value = random.normal(i) * std::pow(10.0, std::floor(600 * random.uniform(i, 1) - 300));
+    const double value =
+        random.normal(i) * std::pow(10.0, std::floor(600 * random.uniform(i, 1) - 300));
     EXPECT_EQ(parseDouble(shortest(value)), value);
   }
   EXPECT_EQ(shortest(0.1), "0.1");
@@ -46,7 +48,8 @@ TEST(NumberFormat, RoundTripsEveryDouble) {
 }
 
 TEST(NumberFormat, RefusesWhatIsNotANumber) {
-  for (const char* text : {"", "abc", "1.0x", "1,0", "0x10", "+-1"}) EXPECT_THROW(parseDouble(text), std::invalid_argument);
+  for (const char* text : {"", "abc", "1.0x", "1,0", "0x10", "+-1"})
+    EXPECT_THROW(parseDouble(text), std::invalid_argument);
   EXPECT_EQ(parseDouble(" +1.5 "), 1.5);
 }
 
@@ -64,7 +67,8 @@ TEST(RandomStream, NormalHasTheMomentsOfANormal) {
     square += x * x;
     fourth += x * x * x * x;
   }
-  // Five standard errors: of the mean 1/sqrt(n), of the variance sqrt(2/n), of the fourth moment sqrt(96/n).
+  // Five standard errors: of the mean 1/sqrt(n), of the variance sqrt(2/n), of the fourth moment
+  // sqrt(96/n).
   EXPECT_NEAR(sum / n, 0.0, 5 * std::sqrt(1.0 / n));
   EXPECT_NEAR(square / n, 1.0, 5 * std::sqrt(2.0 / n));
   EXPECT_NEAR(fourth / n, 3.0, 5 * std::sqrt(96.0 / n));
@@ -118,7 +122,8 @@ TEST_F(AtomicFile, ForceReplacesResultsOnly) {
   const std::string file = dir_ / "file.txt";
   writeFileAtomically(file, "mine too");
   EXPECT_THROW(ResultDirectory(file, true), std::invalid_argument);
-  for (const char* name : {".", "..", "/", ""}) EXPECT_THROW(ResultDirectory(name, true), std::invalid_argument) << name;
+  for (const char* name : {".", "..", "/", ""})
+    EXPECT_THROW(ResultDirectory(name, true), std::invalid_argument) << name;
   EXPECT_EQ(entries(), 2u);
 }
 

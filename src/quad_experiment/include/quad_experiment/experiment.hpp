@@ -27,40 +27,45 @@ struct ExperimentPlan {
   InitialVerdict start;
   explore_opt::ExplorationProblem problem;
   explore_opt::DesignResult design;
-  std::vector<double> amplitudes;        ///< flown [N], margin included
-  std::vector<double> targeted_signal;   ///< T samples [N]
-  std::vector<double> gaussian_signal;   ///< of the same energy; empty if not asked for
+  std::vector<double> amplitudes;       ///< flown [N], margin included
+  std::vector<double> targeted_signal;  ///< T samples [N]
+  std::vector<double> gaussian_signal;  ///< of the same energy; empty if not asked for
 };
 
 /// The design problem of a configuration: nominal model of the estimate, D_des = lambda I.
 explore_opt::ExplorationProblem designProblem(const ExperimentConfig& config);
 
 /// Designs and generates signals. @throws quad_support::ConfigError as readExperimentConfig();
-/// quad_support::NegativeAnswer if the design that was to be flown does not exist, with the solver's reason
+/// quad_support::NegativeAnswer if the design that was to be flown does not exist, with the
+/// solver's reason
 ExperimentPlan planExperiment(const ExperimentConfig& config);
 
-/// The same plan with another seed: vehicle, model and design stay, the random signal is drawn anew.
+/// The same plan with another seed: vehicle, model and design stay, the random signal is drawn
+/// anew.
 ExperimentPlan withSeed(ExperimentPlan plan, std::uint64_t seed);
 
 /// The flight plan for a signal: hold at the start altitude in equilibrium, then explore.
-FlightSpec flightSpec(const ExperimentPlan& plan, const std::vector<double>& signal, const Middleware& middleware);
+FlightSpec flightSpec(const ExperimentPlan& plan, const std::vector<double>& signal,
+                      const Middleware& middleware);
 
 /// One flown signal and what it says.
 struct FlightResult {
   std::string name;  ///< "targeted" or "random": its folder
   std::string csv;   ///< trajectory.csv; filled by runExperiment()
   Trajectory trajectory;
-  std::vector<IntervalTiming> timing;  ///< of the intervals; empty unless the clock on the wall paced them
+  std::vector<IntervalTiming>
+      timing;  ///< of the intervals; empty unless the clock on the wall paced them
   FlightVerdict verdict;
   double wall_seconds = 0.0;  ///< of the flying alone
 };
 
-FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight, const FlightProgress& progress = {});
+FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight,
+                         const FlightProgress& progress = {});
 
 struct ExperimentResult {
   std::string mode;  ///< "lockstep", "wallclock" (over ROS) or "in_process"
   std::vector<FlightResult> flights;
-  TimeVerdict time;  ///< of the targeted flight
+  TimeVerdict time;                   ///< of the targeted flight
   std::optional<DelayVerdict> delay;  ///< likewise, if the clock on the wall paced it
   double wall_seconds = 0.0;
 
@@ -71,18 +76,20 @@ struct ExperimentResult {
 
 /// What is happening, for whoever watches.
 struct ExperimentStatus {
-  std::string flight;     ///< "targeted", "random"; empty on the ground
-  std::string phase;      ///< "design", "hold", "explore", "identify", "done"
-  double time = 0.0;      ///< simulated [s] in this flight
-  double duration = 0.0;  ///< of this flight, about [s]
+  std::string flight;          ///< "targeted", "random"; empty on the ground
+  std::string phase;           ///< "design", "hold", "explore", "identify", "done"
+  double time = 0.0;           ///< simulated [s] in this flight
+  double duration = 0.0;       ///< of this flight, about [s]
   double z = 0.0, zdot = 0.0;  ///< altitude [m], climb rate [m/s]
 };
 using StatusCallback = std::function<void(const ExperimentStatus&)>;
 
-/// Runs everything and fills `results` (not yet committed): config.yaml, provenance.json and design.json before the first
-/// flight; trajectories (on the wall clock timing.csv beside them), summary.json and table.txt after the last.
-ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant, const std::string& mode,
-                               quad_support::ResultDirectory& results, const StatusCallback& status = {});
+/// Runs everything and fills `results` (not yet committed): config.yaml, provenance.json and
+/// design.json before the first flight; trajectories (on the wall clock timing.csv beside them),
+/// summary.json and table.txt after the last.
+ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant,
+                               const std::string& mode, quad_support::ResultDirectory& results,
+                               const StatusCallback& status = {});
 
 /// summary.json.
 nlohmann::ordered_json summaryJson(const ExperimentPlan& plan, const ExperimentResult& result);

@@ -1,4 +1,5 @@
-/// Everything an experiment is told, from one YAML file with one set of checks, however it is flown.
+/// Everything an experiment is told, from one YAML file with one set of checks, however it is
+/// flown.
 #pragma once
 
 #include <cstdint>
@@ -17,22 +18,24 @@ namespace quad_experiment {
 /// Section `estimate`: the rough model the design starts from, given or drawn as in Table 2.1.
 struct EstimateConfig {
   bool drawn = false;
-  double closeness = 0.0;      ///< lambda_D of the draw; only if drawn
-  std::uint64_t seed = 0;      ///< of the draw; only if drawn
-  explore_opt::AltitudeParameters parameters;  ///< dT_hat [s], m_hat [kg]: given, or the result of the draw
+  double closeness = 0.0;  ///< lambda_D of the draw; only if drawn
+  std::uint64_t seed = 0;  ///< of the draw; only if drawn
+  explore_opt::AltitudeParameters
+      parameters;  ///< dT_hat [s], m_hat [kg]: given, or the result of the draw
 };
 
 /// Section `design`.
 struct DesignConfig {
-  int num_samples = 0;              ///< T
-  std::vector<int> harmonics;       ///< whole multiples of 1/T
+  int num_samples = 0;         ///< T
+  std::vector<int> harmonics;  ///< whole multiples of 1/T
   explore_opt::Phase phase = explore_opt::Phase::kSin;
-  double gamma_w = 0.0;             ///< bound on the disturbance's energy, Eq. (1.6)
-  double desired_closeness = 0.0;   ///< lambda of D_des = lambda I
+  double gamma_w = 0.0;            ///< bound on the disturbance's energy, Eq. (1.6)
+  double desired_closeness = 0.0;  ///< lambda of D_des = lambda I
   explore_opt::DesignMethod method = explore_opt::DesignMethod::kGlobal;
-  bool fly_design = false;          ///< signal: designed (true) or given (false)
-  std::vector<double> amplitudes;   ///< [N] with signal: given; with both phases first all cosines, then all sines
-  double amplitude_margin = 0.0;    ///< flown = (1 + margin) amplitudes
+  bool fly_design = false;  ///< signal: designed (true) or given (false)
+  std::vector<double>
+      amplitudes;  ///< [N] with signal: given; with both phases first all cosines, then all sines
+  double amplitude_margin = 0.0;  ///< flown = (1 + margin) amplitudes
 };
 
 struct ExperimentConfig {
@@ -45,13 +48,14 @@ struct ExperimentConfig {
   std::uint64_t seed = 0;     ///< of jitter and random signals
 };
 
-/// Reads and checks the file. In wall-clock mode latency and jitter become 0: the middleware is the real one.
+/// Reads and checks the file. In wall-clock mode latency and jitter become 0: the middleware is the
+/// real one.
 /// @param mode  lockstep, wallclock, or empty: timing.mode of the file
 /// @throws quad_support::ConfigError naming file, line, key, value and limit
 ExperimentConfig readExperimentConfig(const std::string& path, const std::string& mode = "");
 
-/// Every value used, as YAML that reads back to the same configuration: the URDF's path is absolute, a drawn estimate
-/// stands as the numbers drawn.
+/// Every value used, as YAML that reads back to the same configuration: the URDF's path is
+/// absolute, a drawn estimate stands as the numbers drawn.
 std::string toYaml(const ExperimentConfig& config);
 
 /// SHA-256 of every value used and of the URDF's content; the same wherever the files lie.

@@ -12,7 +12,8 @@ namespace quad_experiment {
 class InProcessPlant : public Plant {
  public:
   /// @throws quad_support::ConfigError if the vehicle cannot be simulated or controlled
-  InProcessPlant(const quad_sim::SimulationConfig& simulation, const quad_control::ControlConfig& control);
+  InProcessPlant(const quad_sim::SimulationConfig& simulation,
+                 const quad_control::ControlConfig& control);
 
   quad_sim::Measurement begin(const quad_control::FlightPlan& plan) override;
   quad_sim::Measurement advance(const Interval& interval) override;

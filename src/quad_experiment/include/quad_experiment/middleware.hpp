@@ -1,12 +1,13 @@
-/// The simulated middleware: how long each control interval really lasts and how late its command acts.
+/// The simulated middleware: how long each control interval really lasts and how late its command
+/// acts.
 #pragma once
 
 #include <cstdint>
 
 namespace quad_experiment {
 
-/// One control interval in whole physics steps: first `hold_steps` with the previous command (latency), then the rest of
-/// `steps` with the new one.
+/// One control interval in whole physics steps: first `hold_steps` with the previous command
+/// (latency), then the rest of `steps` with the new one.
 struct Interval {
   int steps = 0;
   int hold_steps = 0;
@@ -20,8 +21,8 @@ struct MiddlewareConfig {
   double step = 0.0;             ///< physics step [s]
 };
 
-/// A seeded model of latency and jitter: interval k lasts max(latency + 1, round(dT + jitter n_k)) steps with n_k standard
-/// normal. Any interval can be asked for alone and is always the same.
+/// A seeded model of latency and jitter: interval k lasts max(latency + 1, round(dT + jitter n_k))
+/// steps with n_k standard normal. Any interval can be asked for alone and is always the same.
 class Middleware {
  public:
   /// @param seed, flight  address the random stream; each flight of an experiment has its own

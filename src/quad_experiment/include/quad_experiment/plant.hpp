@@ -17,18 +17,22 @@ struct IntervalTiming {
   double estimated_delay = 0.0;  ///< x^ after this interval, the forgetting-factor mean of x^noise
 };
 
-/// The three things one can ask of a plant. Its controller is part of it: the loop sees measurements only.
+/// The three things one can ask of a plant. Its controller is part of it: the loop sees
+/// measurements only.
 class Plant {
  public:
   virtual ~Plant() = default;
-  /// Puts the vehicle into its start state and hands over references and the whole exploration signal.
+  /// Puts the vehicle into its start state and hands over references and the whole exploration
+  /// signal.
   /// @returns the state at time zero
   virtual quad_sim::Measurement begin(const quad_control::FlightPlan& plan) = 0;
   /// Flies one control interval. @returns state and rotor speeds at its end
   virtual quad_sim::Measurement advance(const Interval& interval) = 0;
-  /// Ends the flight. @returns the commands computed since begin(), each with the time of the state it answers
+  /// Ends the flight. @returns the commands computed since begin(), each with the time of the state
+  /// it answers
   virtual std::vector<quad_control::ControlOutput> end() = 0;
-  /// One entry an interval since begin(), if the clock on the wall paced them; empty where simulated time is exact.
+  /// One entry an interval since begin(), if the clock on the wall paced them; empty where
+  /// simulated time is exact.
   virtual std::vector<IntervalTiming> timing() const { return {}; }
 };
 

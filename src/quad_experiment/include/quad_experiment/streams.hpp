@@ -1,4 +1,5 @@
-/// Which random stream serves which purpose (see quad_support::RandomStream). A number is never given to a second purpose.
+/// Which random stream serves which purpose (see quad_support::RandomStream). A number is never
+/// given to a second purpose.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,7 @@ namespace quad_experiment {
 /// Flights of one experiment, in the order flown.
 enum Flight : std::uint64_t { kTargetedFlight = 0, kGaussianFlight = 1 };
 
-constexpr std::uint64_t kJitterStream = 0x100;    ///< + flight: interval lengths
-constexpr std::uint64_t kSignalStream = 0x200;    ///< + flight: random exploration signals
+constexpr std::uint64_t kJitterStream = 0x100;  ///< + flight: interval lengths
+constexpr std::uint64_t kSignalStream = 0x200;  ///< + flight: random exploration signals
 
 }  // namespace quad_experiment

@@ -19,19 +19,21 @@ enum class Kind {
 
 /// A number of the thesis beside ours.
 struct Reference {
-  std::string key;       ///< e.g. "targeted.lambda_D_bd", as in summary.json
-  std::string label;     ///< with its unit
-  std::string printed;   ///< as the thesis prints it; empty if it does not
+  std::string key;      ///< e.g. "targeted.lambda_D_bd", as in summary.json
+  std::string label;    ///< with its unit
+  std::string printed;  ///< as the thesis prints it; empty if it does not
   Kind kind = Kind::kCertain;
-  double low = 0.0, high = 0.0;  ///< what counts as reproduced: printed precision, or the band of single runs
-  std::string note;      ///< source or reason
+  double low = 0.0,
+         high = 0.0;  ///< what counts as reproduced: printed precision, or the band of single runs
+  std::string note;   ///< source or reason
 };
 
 /// All rows of the table, in order.
 const std::vector<Reference>& thesisReferences();
 
 /// The values the references speak of, by key; missing where a flight or a fit does not exist.
-std::map<std::string, double> comparedValues(const ExperimentPlan& plan, const ExperimentResult& result);
+std::map<std::string, double> comparedValues(const ExperimentPlan& plan,
+                                             const ExperimentResult& result);
 
 /// thesis / ours / verdict, then what was promised and whether it was kept.
 std::string comparisonTable(const ExperimentPlan& plan, const ExperimentResult& result);

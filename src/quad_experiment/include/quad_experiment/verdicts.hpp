@@ -42,22 +42,23 @@ struct FlightVerdict {
   double lambda_D_exp = 0.0, objective = 0.0;   ///< over all six entries, Eq. (1.9)
   double signal_energy = 0.0;                   ///< sum of T_eff,cmd^2 [N^2]
   double gamma_w_exp = 0.0, gamma_w_sim = 0.0;  ///< Eq. (3.1) and below
-  double gamma_w_pilot_literal = 0.0;           ///< Eq. (1.12), simulated from x_0 with the initial model
-  double gamma_w_pilot_one_step = 0.0;          ///< Eq. (1.12), one step ahead of the measured state
+  double gamma_w_pilot_literal = 0.0;   ///< Eq. (1.12), simulated from x_0 with the initial model
+  double gamma_w_pilot_one_step = 0.0;  ///< Eq. (1.12), one step ahead of the measured state
   explore_opt::ClosenessChain chain;
   bool truth_in_set = false, gamma_w_valid = false, gamma_w_falsified = false;
   bool exploration_condition = false, objective_met = false;
-  double max_tilt = 0.0;                        ///< [rad] over the whole flight, Assumption 1
-  double max_lateral_speed = 0.0;               ///< [m/s] over the whole flight, Assumptions 1 and 2
-  double min_altitude = 0.0;                    ///< [m]
-  int clamped_commands = 0;                     ///< rotor commands that had to be clamped
+  double max_tilt = 0.0;           ///< [rad] over the whole flight, Assumption 1
+  double max_lateral_speed = 0.0;  ///< [m/s] over the whole flight, Assumptions 1 and 2
+  double min_altitude = 0.0;       ///< [m]
+  int clamped_commands = 0;        ///< rotor commands that had to be clamped
 
   /// The promise: condition met, objective met, gamma_w not falsified.
   bool ok() const { return exploration_condition && objective_met && !gamma_w_falsified; }
 };
 
 /// @param data  of the exploration phase   @param trajectory  the whole flight
-FlightVerdict judgeFlight(const Knowledge& knowledge, const ExplorationData& data, const Trajectory& trajectory);
+FlightVerdict judgeFlight(const Knowledge& knowledge, const ExplorationData& data,
+                          const Trajectory& trajectory);
 
 /// Lengths of a flight's intervals.
 struct TimeVerdict {

@@ -24,7 +24,8 @@ double ownValue(const Json& summary, const std::string& key) {
   const std::string name = key.substr(dot + 1);
   if (part.is_null()) return std::nan("");
   const auto entry = [&](const char* matrix, int row, int column) {
-    return part.at(matrix).is_null() ? std::nan("") : part.at(matrix).at(row).at(column).get<double>();
+    return part.at(matrix).is_null() ? std::nan("")
+                                     : part.at(matrix).at(row).at(column).get<double>();
   };
   if (name == "A21") return entry("A", 1, 0);
   if (name == "B1") return entry("B", 0, 0);
@@ -36,17 +37,23 @@ double ownValue(const Json& summary, const std::string& key) {
 }  // namespace
 
 int percentiles(const PercentilesOptions& options) {
-  const Json summary = Json::parse(quad_support::readFile(options.results + "/summary.json"), nullptr, false);
-  if (summary.is_discarded()) throw quad_support::ConfigError(options.results + "/summary.json: not valid JSON");
+  const Json summary =
+      Json::parse(quad_support::readFile(options.results + "/summary.json"), nullptr, false);
+  if (summary.is_discarded())
+    throw quad_support::ConfigError(options.results + "/summary.json: not valid JSON");
   for (const char* part : {"mode", "initial", "design", "targeted", "random"}) {
-    if (!summary.contains(part)) throw quad_support::ConfigError(fmt::format("{}/summary.json: has no '{}'; not a run's summary", options.results, part));
+    if (!summary.contains(part))
+      throw quad_support::ConfigError(
+          fmt::format("{}/summary.json: has no '{}'; not a run's summary", options.results, part));
   }
   if (summary.at("mode") == "wallclock") {
     std::puts("a wall-clock run has no seeds to be compared with");
     return quad_support::kDone;
   }
-  const ExperimentPlan plan = planExperiment(readExperimentConfig(options.results + "/config.yaml"));
-  const int workers = options.workers > 0 ? options.workers : std::max(1u, std::thread::hardware_concurrency());
+  const ExperimentPlan plan =
+      planExperiment(readExperimentConfig(options.results + "/config.yaml"));
+  const int workers =
+      options.workers > 0 ? options.workers : std::max(1u, std::thread::hardware_concurrency());
   const bool terminal = ::isatty(STDERR_FILENO) != 0;
   const auto runs = flySeeds(plan, 1, options.seeds, workers, [&](int done) {
     if (terminal && done % 10 == 0) std::fprintf(stderr, "\r%d of %d seeds", done, options.seeds);
@@ -55,18 +62,25 @@ int percentiles(const PercentilesOptions& options) {
 
   Json out;
   out["seeds"] = options.seeds;
-  std::string text = fmt::format("this run (seed {}) among {} flights in process, seeds 1 to {}\n{:<28} {:>10} {:>11} {:>11}  {:>24}\n",
-                                 plan.config.seed, options.seeds, options.seeds, "", "thesis", "this run", "percentile",
-                                 "median [5 %, 95 %]");
+  std::string text = fmt::format(
+      "this run (seed {}) among {} flights in process, seeds 1 to {}\n{:<28} {:>10} {:>11} {:>11}  "
+      "{:>24}\n",
+      plan.config.seed, options.seeds, options.seeds, "", "thesis", "this run", "percentile",
+      "median [5 %, 95 %]");
   for (const Reference& r : thesisReferences()) {
     const auto sorted = sortedValues(runs, r.key);
     const bool flown = r.key.rfind("targeted.", 0) == 0 || r.key.rfind("random.", 0) == 0;
     if (!flown || sorted.empty()) continue;
     const double own = ownValue(summary, r.key);
-    const double median = quantile(sorted, 0.5), low = quantile(sorted, 0.05), high = quantile(sorted, 0.95);
-    out["values"][r.key] = {{"this_run", std::isfinite(own) ? Json(own) : Json(nullptr)},
-                            {"percentile", std::isfinite(own) ? Json(percentileOf(sorted, own)) : Json(nullptr)},
-                            {"count", sorted.size()}, {"median", median}, {"p05", low}, {"p95", high}};
+    const double median = quantile(sorted, 0.5), low = quantile(sorted, 0.05),
+                 high = quantile(sorted, 0.95);
+    out["values"][r.key] = {
+        {"this_run", std::isfinite(own) ? Json(own) : Json(nullptr)},
+        {"percentile", std::isfinite(own) ? Json(percentileOf(sorted, own)) : Json(nullptr)},
+        {"count", sorted.size()},
+        {"median", median},
+        {"p05", low},
+        {"p95", high}};
     text += fmt::format("{:<28} {:>10} {:>11.5g} {:>11.1f}  {:>24}\n", r.label, r.printed, own,
                         std::isfinite(own) ? percentileOf(sorted, own) : std::nan(""),
                         fmt::format("{:.4g} [{:.4g}, {:.4g}]", median, low, high));
@@ -76,7 +90,8 @@ int percentiles(const PercentilesOptions& options) {
     double count = 0;
     for (const double G : falsified) count += G < 0.0;
     out["random_falsifies_gamma_w"] = count / static_cast<double>(falsified.size());
-    text += fmt::format("the random signal falsifies gamma_w in {:.0f} % of the seeds\n", 100.0 * count / static_cast<double>(falsified.size()));
+    text += fmt::format("the random signal falsifies gamma_w in {:.0f} % of the seeds\n",
+                        100.0 * count / static_cast<double>(falsified.size()));
   }
   quad_support::writeFileAtomically(options.results + "/percentiles.json", out.dump(2) + "\n");
   std::fputs(text.c_str(), stdout);

@@ -12,7 +12,8 @@ namespace {
 
 using namespace quad_experiment;
 
-/// One line on stderr that is written over, at most ten times a second of simulated time; quiet when not a terminal.
+/// One line on stderr that is written over, at most ten times a second of simulated time; quiet
+/// when not a terminal.
 class ProgressLine {
  public:
   void operator()(const ExperimentStatus& s) {
@@ -22,7 +23,8 @@ class ProgressLine {
     } else if (s.flight.empty()) {
       std::fprintf(stderr, "\r%s …", s.phase.c_str());
     } else if (++count_ % 50 == 0) {
-      std::fprintf(stderr, "\r\033[K%s flight: %s, %.1f of %.1f s", s.flight.c_str(), s.phase.c_str(), s.time, s.duration);
+      std::fprintf(stderr, "\r\033[K%s flight: %s, %.1f of %.1f s", s.flight.c_str(),
+                   s.phase.c_str(), s.time, s.duration);
     }
   }
 
@@ -36,13 +38,16 @@ class ProgressLine {
 int run(const RunOptions& options) {
   const ExperimentConfig config = readExperimentConfig(options.config);
   if (config.timing.mode == quad_control::TimingMode::kWallclock) {
-    throw quad_support::ConfigError(options.config +
-                                    ": timing.mode = wallclock; wall-clock time exists over ROS only: use scripts/experiment "
-                                    "--config " + options.config + ", or set lockstep");
+    throw quad_support::ConfigError(
+        options.config +
+        ": timing.mode = wallclock; wall-clock time exists over ROS only: use scripts/experiment "
+        "--config " +
+        options.config + ", or set lockstep");
   }
   quad_support::ResultDirectory results(options.out, options.force);
   InProcessPlant plant(config.simulation, config.control);
-  const ExperimentResult result = runExperiment(config, plant, "in_process", results, ProgressLine());
+  const ExperimentResult result =
+      runExperiment(config, plant, "in_process", results, ProgressLine());
   std::fputs(quad_support::readFile(results.workPath() + "/table.txt").c_str(), stdout);
   results.commit();
   std::printf("results: %s\n", results.path().c_str());

@@ -36,12 +36,19 @@ int step(const StepOptions& options) {
   const double weight = plan.vehicle.mass * plan.knowledge.gravity;
   double overshoot = 0.0;
   for (const auto& row : trajectory.rows) {
-    const double error = (row.state.odometry.p_WB.z() - spec.plan.references.z) * (options.height < 0 ? -1 : 1);
+    const double error =
+        (row.state.odometry.p_WB.z() - spec.plan.references.z) * (options.height < 0 ? -1 : 1);
     overshoot = std::max(overshoot, error);
   }
-  std::printf("altitude step of %g m: final error %.3g m, overshoot %.3g m, final thrust %.6f N (m g = %.6f N)\n", options.height,
-              trajectory.rows.back().state.odometry.p_WB.z() - spec.plan.references.z, overshoot, before_last.command.thrust, weight);
+  std::printf(
+      "altitude step of %g m: final error %.3g m, overshoot %.3g m, final thrust %.6f N (m g = "
+      "%.6f N)\n",
+      options.height, trajectory.rows.back().state.odometry.p_WB.z() - spec.plan.references.z,
+      overshoot, before_last.command.thrust, weight);
   std::printf("results: %s\n", results.path().c_str());
-  const double final_error = trajectory.rows.back().state.odometry.p_WB.z() - spec.plan.references.z;
-  return std::abs(final_error) <= kSettled * std::abs(options.height) ? quad_support::kDone : quad_support::kNegativeAnswer;
+  const double final_error =
+      trajectory.rows.back().state.odometry.p_WB.z() - spec.plan.references.z;
+  return std::abs(final_error) <= kSettled * std::abs(options.height)
+             ? quad_support::kDone
+             : quad_support::kNegativeAnswer;
 }

@@ -1,5 +1,6 @@
 // Node quad_experiment_node: flies the experiment with the nodes around it and writes its results.
-// Parameters: ~config, ~out, ~force, ~mode, ~rate, ~status, ~time_manager, ~controller, ~start_timeout.
+// Parameters: ~config, ~out, ~force, ~mode, ~rate, ~status, ~time_manager, ~controller,
+// ~start_timeout.
 #include <ros/ros.h>
 #include <std_msgs/String.h>
 
@@ -36,7 +37,8 @@ NodeOptions readOptions() {
   node.param("rate", o.plant.rate, 0.0);
   node.param("start_timeout", o.start_timeout, 30.0);
   if (o.config.empty() || o.out.empty()) {
-    throw quad_support::ConfigError("the parameters ~config and ~out must be set; launch/experiment.launch does so");
+    throw quad_support::ConfigError(
+        "the parameters ~config and ~out must be set; launch/experiment.launch does so");
   }
   return o;
 }
@@ -44,16 +46,21 @@ NodeOptions readOptions() {
 /// Publishes what is going on, at most ten times a second.
 class StatusTopic {
  public:
-  explicit StatusTopic(ros::NodeHandle& node) : publisher_(node.advertise<std_msgs::String>("/experiment/status", 1, true)) {}
+  explicit StatusTopic(ros::NodeHandle& node)
+      : publisher_(node.advertise<std_msgs::String>("/experiment/status", 1, true)) {}
   void operator()(const ExperimentStatus& s) {
     const auto now = std::chrono::steady_clock::now();
-    if (s.flight == last_flight_ && s.phase == last_phase_ && now - last_ < std::chrono::milliseconds(100)) return;
+    if (s.flight == last_flight_ && s.phase == last_phase_ &&
+        now - last_ < std::chrono::milliseconds(100))
+      return;
     last_ = now;
     last_flight_ = s.flight;
     last_phase_ = s.phase;
     std_msgs::String message;
-    message.data = nlohmann::ordered_json{{"flight", s.flight}, {"phase", s.phase}, {"time", s.time},
-                                          {"duration", s.duration}, {"z", s.z}, {"zdot", s.zdot}}.dump();
+    message.data =
+        nlohmann::ordered_json{{"flight", s.flight},     {"phase", s.phase}, {"time", s.time},
+                               {"duration", s.duration}, {"z", s.z},         {"zdot", s.zdot}}
+            .dump();
     publisher_.publish(message);
   }
 
@@ -69,20 +76,22 @@ int fly(ros::NodeHandle& node, const NodeOptions& options, std::string& written)
   quad_support::ResultDirectory results(options.out, options.force);
   RosPlantOptions plant_options = options.plant;
   if (plant_options.controller.empty()) {
-    plant_options.controller = "/" + config.simulation.vehicle_namespace + "/attitude_altitude_controller";
+    plant_options.controller =
+        "/" + config.simulation.vehicle_namespace + "/attitude_altitude_controller";
   }
   plant_options.mode = quad_control::toString(config.timing.mode);
   RosPlant plant(node, plant_options, options.start_timeout);
   StatusTopic topic(node);
-  const ExperimentResult result = runExperiment(config, plant, plant_options.mode, results, [&](const ExperimentStatus& s) { topic(s); });
+  const ExperimentResult result = runExperiment(config, plant, plant_options.mode, results,
+                                                [&](const ExperimentStatus& s) { topic(s); });
   results.commit();
   written = results.path();
   std::printf("results: %s\n", written.c_str());
   return result.exitCode();
 }
 
-/// Flies, and leaves exit code, reason and the results' place (if there are any) in the status file, since roslaunch
-/// passes on none of them.
+/// Flies, and leaves exit code, reason and the results' place (if there are any) in the status
+/// file, since roslaunch passes on none of them.
 int flyAndReport(int argc, char** argv) {
   ros::init(argc, argv, "experiment", ros::init_options::NoSigintHandler);
   ros::NodeHandle node;
@@ -91,9 +100,11 @@ int flyAndReport(int argc, char** argv) {
   std::string status;
   ros::param::get("~status", status);
   std::string message, written;
-  const int code = quad_support::runProgram("experiment", [&] { return fly(node, readOptions(), written); }, &message);
+  const int code = quad_support::runProgram(
+      "experiment", [&] { return fly(node, readOptions(), written); }, &message);
   if (!status.empty()) {
-    const nlohmann::ordered_json answer = {{"exit_code", code}, {"message", message}, {"results", written}};
+    const nlohmann::ordered_json answer = {
+        {"exit_code", code}, {"message", message}, {"results", written}};
     quad_support::writeFileAtomically(status, answer.dump() + "\n");
   }
   return code;
@@ -103,5 +114,6 @@ int flyAndReport(int argc, char** argv) {
 }  // namespace quad_experiment
 
 int main(int argc, char** argv) {
-  return quad_support::runProgram("experiment", [&] { return quad_experiment::flyAndReport(argc, argv); });
+  return quad_support::runProgram("experiment",
+                                  [&] { return quad_experiment::flyAndReport(argc, argv); });
 }

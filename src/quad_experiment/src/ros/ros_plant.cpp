@@ -19,10 +19,12 @@ namespace {
 
 using quad_support::EnvironmentError;
 
-quad_sim::Measurement toMeasurement(const nav_msgs::Odometry& odometry, const mav_msgs::Actuators& motor_speed) {
+quad_sim::Measurement toMeasurement(const nav_msgs::Odometry& odometry,
+                                    const mav_msgs::Actuators& motor_speed) {
   quad_sim::Measurement m;
   m.odometry = quad_sim::fromMsg(odometry);
-  for (const double speed : motor_speed.angular_velocities) m.rotor_speed.push_back(std::abs(speed));
+  for (const double speed : motor_speed.angular_velocities)
+    m.rotor_speed.push_back(std::abs(speed));
   return m;
 }
 
@@ -30,12 +32,14 @@ template <class Service>
 void ask(ros::ServiceClient& client, Service& service) {
   if (!client.call(service)) {
     quad_support::throwIfInterrupted();
-    throw EnvironmentError(fmt::format("{} does not answer: its node was lost", client.getService()));
+    throw EnvironmentError(
+        fmt::format("{} does not answer: its node was lost", client.getService()));
   }
   if (!service.response.success) {
     quad_support::throwIfInterrupted();
     const std::string text = fmt::format("{}: {}", client.getService(), service.response.message);
-    if (text.find("simulation failed: ") != std::string::npos) throw quad_support::SimulationError(text);
+    if (text.find("simulation failed: ") != std::string::npos)
+      throw quad_support::SimulationError(text);
     throw EnvironmentError(text);
   }
 }
@@ -47,7 +51,8 @@ ros::ServiceClient connect(ros::NodeHandle& node, const std::string& name,
     quad_support::throwIfInterrupted();
     if (!ros::ok()) throw EnvironmentError("ROS was shut down before the flight");
     if (std::chrono::steady_clock::now() > deadline) {
-      throw EnvironmentError(fmt::format("nobody offers the service {}; is its node running?", name));
+      throw EnvironmentError(
+          fmt::format("nobody offers the service {}; is its node running?", name));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
@@ -56,11 +61,15 @@ ros::ServiceClient connect(ros::NodeHandle& node, const std::string& name,
 
 }  // namespace
 
-RosPlant::RosPlant(ros::NodeHandle& node, const RosPlantOptions& options, double start_timeout) : options_(options) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                                               std::chrono::duration<double>(start_timeout));
-  set_flight_plan_ = connect<quad_control::SetFlightPlan>(node, options.controller + "/set_flight_plan", deadline);
-  flight_record_ = connect<quad_control::FlightRecord>(node, options.controller + "/flight_record", deadline);
+RosPlant::RosPlant(ros::NodeHandle& node, const RosPlantOptions& options, double start_timeout)
+    : options_(options) {
+  const auto deadline = std::chrono::steady_clock::now() +
+                        std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                            std::chrono::duration<double>(start_timeout));
+  set_flight_plan_ =
+      connect<quad_control::SetFlightPlan>(node, options.controller + "/set_flight_plan", deadline);
+  flight_record_ =
+      connect<quad_control::FlightRecord>(node, options.controller + "/flight_record", deadline);
   begin_ = connect<quad_control::Begin>(node, options.time_manager + "/begin", deadline);
   advance_ = connect<quad_control::Advance>(node, options.time_manager + "/advance", deadline);
   end_ = connect<quad_control::TimingReport>(node, options.time_manager + "/end", deadline);
@@ -94,7 +103,8 @@ quad_sim::Measurement RosPlant::advance(const Interval& interval) {
   call.request.timeout = options_.timeout;
   ask(advance_, call);
   if (options_.mode == "wallclock") {
-    timing_.push_back({call.response.wait, call.response.service_delay, call.response.estimated_service_delay});
+    timing_.push_back(
+        {call.response.wait, call.response.service_delay, call.response.estimated_service_delay});
   }
   pace(quad_sim::simulatedTime(call.response.odometry.header.stamp));
   return toMeasurement(call.response.odometry, call.response.motor_speed);
@@ -105,8 +115,9 @@ std::vector<quad_control::ControlOutput> RosPlant::end() {
   report.request.timeout = options_.timeout;
   ask(end_, report);
   if (report.response.mode != options_.mode) {
-    throw quad_support::ConfigError(fmt::format("{} works in mode {}, the experiment in {}; set the same ~mode for both",
-                                                options_.time_manager, report.response.mode, options_.mode));
+    throw quad_support::ConfigError(
+        fmt::format("{} works in mode {}, the experiment in {}; set the same ~mode for both",
+                    options_.time_manager, report.response.mode, options_.mode));
   }
   quad_control::FlightRecord record;
   ask(flight_record_, record);
@@ -126,7 +137,8 @@ std::vector<quad_control::ControlOutput> RosPlant::end() {
 
 void RosPlant::pace(std::int64_t time_ns) {
   if (options_.rate <= 0.0) return;
-  std::this_thread::sleep_until(started_ + std::chrono::nanoseconds(std::llround(static_cast<double>(time_ns) / options_.rate)));
+  std::this_thread::sleep_until(started_ + std::chrono::nanoseconds(std::llround(
+                                               static_cast<double>(time_ns) / options_.rate)));
 }
 
 }  // namespace quad_experiment

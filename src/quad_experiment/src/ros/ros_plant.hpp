@@ -15,11 +15,12 @@ struct RosPlantOptions {
   std::string controller;    ///< name of the controller node
   std::string mode;          ///< lockstep or wallclock: what the time manager has to say of itself
   double timeout = 3.0;      ///< [s] wall time a node may take for an answer
-  double rate = 0.0;         ///< simulated seconds per second of wall time at most; 0: as fast as possible
+  double rate = 0.0;  ///< simulated seconds per second of wall time at most; 0: as fast as possible
 };
 
 /// Every value it returns comes from a service's answer; topics may lose messages, answers do not.
-/// All functions throw quad_support::EnvironmentError naming the service when a node is lost or refuses.
+/// All functions throw quad_support::EnvironmentError naming the service when a node is lost or
+/// refuses.
 class RosPlant : public Plant {
  public:
   /// Waits for the nodes' services. @param start_timeout  [s] wall time
