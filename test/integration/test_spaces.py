@@ -45,7 +45,7 @@ class Spaces(FlightCase):
         answer = self.roslaunch(env, *launch, "config:=flight.yaml", "out:=run")
         self.assertTrue(os.path.exists(self.path("run", "summary.json")), answer)
         self.assertEqual(Results(self.path("run")).hashes(), self.expected)
-        used = re.search(r"urdf: (.*)", Results(self.path("run")).bytes("config.yaml").decode()).group(1)
+        used = re.search(r'urdf: "(.*)"', Results(self.path("run")).bytes("config.yaml").decode()).group(1)
         self.assertTrue(os.path.samefile(os.path.commonpath([used, os.path.realpath(folder)]), folder), used)
 
     def test_devel_by_name(self):

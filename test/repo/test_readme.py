@@ -9,6 +9,7 @@ the workspace. A block is left out only if its first line is the comment
 A line `# exit 3` (any number) as first line says which exit code the block ends with instead of 0.
 """
 import os
+import pathlib
 import re
 import signal
 import subprocess
@@ -92,7 +93,7 @@ class Pages(unittest.TestCase):
 
     def test_relative_links_lead_somewhere(self):
         links = [(page, target) for page in pages(ROOT)
-                 for target in re.findall(r"\]\(([^)#]+)[^)]*\)", open(os.path.join(ROOT, page), encoding="utf-8").read())
+                 for target in re.findall(r"\]\(([^)#]+)[^)]*\)", pathlib.Path(ROOT, page).read_text(encoding="utf-8"))
                  if "://" not in target]
         self.assertTrue(links)
         missing = ["%s: %s" % link for link in links
