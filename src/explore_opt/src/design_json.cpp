@@ -164,4 +164,31 @@ ordered_json designToJson(const ExplorationProblem& problem, const DesignResult&
   return out;
 }
 
+Eigen::VectorXd amplitudesFromJson(const std::string& text, const std::string& source,
+                                   const ExplorationProblem& problem) {
+  json value = parseJson(text, source);
+  if (value.is_object() && value.contains("amplitudes")) value = json(value["amplitudes"]);
+  json rows = value;
+  if (problem.phase == Phase::kBoth) {
+    const bool both = value.is_object() && value.size() == 2 && value.contains("cos") &&
+                      value.contains("sin") && value["cos"].is_array() && value["sin"].is_array() &&
+                      value["cos"].size() == value["sin"].size();
+    if (!both) {
+      throw ConfigError(fmt::format(
+          "{}: amplitudes; must be {{\"cos\": [[...], ...], \"sin\": [[...], ...]}} with as many rows "
+          "each, for phase is both",
+          source));
+    }
+    rows = value["cos"];
+    rows.insert(rows.end(), value["sin"].begin(), value["sin"].end());
+  }
+  const Eigen::MatrixXd m = matrixFromJson(rows, source + ": amplitudes");
+  const int carriers = numCarriers(problem.lines, problem.phase);
+  if (m.rows() != carriers || m.cols() != problem.numInputs()) {
+    throw ConfigError(fmt::format("{}: amplitudes are {} x {}; must be {} carriers x {} inputs", source,
+                                  m.rows(), m.cols(), carriers, problem.numInputs()));
+  }
+  return m.reshaped<Eigen::RowMajor>();
+}
+
 }  // namespace explore_opt

@@ -125,6 +125,45 @@ TEST_F(Program, DesignWithBothPhasesAndByMajorisation) {
   EXPECT_NEAR(answer()["gamma_e"].get<double>(), 3.319, 0.01);
 }
 
+TEST_F(Program, MajorisationStartsAtTheGivenCandidate) {
+  const std::string problem = write("problem.json", kThesis);
+  const std::string mm = "design " + problem + " --method mm ";
+  ASSERT_EQ(run(mm + "--out answer.json"), 0) << stderr_;
+  ASSERT_EQ(run(mm + "--initial answer.json"), 0) << stderr_;
+  const json fresh = json::parse(quad_support::readFile((dir_ / "answer.json").string()));
+  // Started at its own answer it has little to do but see that it is one.
+  EXPECT_LT(answer()["iterations"].size(), fresh["iterations"].size() / 2);
+  EXPECT_LE(answer()["gamma_e"].get<double>(), fresh["gamma_e"].get<double>() * (1 + 1e-9));  // descent
+  ASSERT_EQ(run(mm + "--max-iterations 1 --initial " +
+                write("twice.json", "[[1], [-2], [3], [0.5]]")),
+            3)
+      << stderr_;
+  const json first = answer()["iterations"][0]["amplitudes"];
+  ASSERT_EQ(run(mm + "--max-iterations 1"), 3);
+  EXPECT_NE(answer()["iterations"][0]["amplitudes"], first);
+  ASSERT_EQ(run("design " + write("both.json", with("phase", "both")) + " --method mm --initial " +
+                write("cs.json", R"({"cos": [[1], [1], [1], [1]], "sin": [[0], [1], [0], [1]]})") +
+                " --cost-tolerance 1e-3 --step-tolerance 1e-1"),
+            0)
+      << stderr_;
+}
+
+TEST_F(Program, InitialCandidatesOfTheWrongShapeExitWith2) {
+  const std::string mm = "design " + write("p.json", kThesis) + " --method mm --initial ";
+  EXPECT_EQ(run(mm + write("i.json", "[[1], [2], [3]]")), 2);
+  EXPECT_NE(stderr_.find("i.json: amplitudes are 3 x 1; must be 4 carriers x 1 inputs"),
+            std::string::npos)
+      << stderr_;
+  for (const char* text : {"[[1, 1], [2, 1], [3, 1], [4, 1]]", "[1, 2, 3, 4]", "{\"cos\": [[1]]}", "[",
+                           "[[1], [2], [3], [\"4\"]]", "{\"amplitudes\": null}", "3"}) {
+    EXPECT_EQ(run(mm + write("i.json", text)), 2) << text;
+  }
+  EXPECT_EQ(run(mm + "nofile.json"), 2);
+  EXPECT_EQ(run("design p.json --initial " + write("i.json", "[[1], [2], [3], [4]]")), 2);
+  EXPECT_NE(stderr_.find("--initial has no effect on method global"), std::string::npos) << stderr_;
+  EXPECT_EQ(run("design " + write("b.json", with("phase", "both")) + " --method mm --initial i.json"), 2);
+}
+
 TEST_F(Program, NegativeAnswersExitWith3AndAreWritten) {
   EXPECT_EQ(run("design " + write("dead.json", with("B", {{0.0}, {0.0}}))), 3);
   EXPECT_EQ(answer()["status"], "not_exciting");

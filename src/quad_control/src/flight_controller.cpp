@@ -111,6 +111,7 @@ void FlightController::restart() {
   loops_->yaw.reset();
   loops_->altitude.reset(plan_->initial_altitude_effort);
   next_sample_ = 0;
+  after_signal_ = 0;
   record_.clear();
 }
 
@@ -123,9 +124,12 @@ void FlightController::setReferences(const References& references) {
 }
 
 double FlightController::effectiveThrust(const quad_sim::Odometry& odometry, ControlOutput& out) {
-  if (odometry.time_ns >= plan_->exploration_start_ns) {
+  if (!plan_->exploration_signal.empty() && odometry.time_ns >= plan_->exploration_start_ns) {
     out.exploring = true;
-    if (next_sample_ == plan_->exploration_signal.size()) return 0.0;
+    if (next_sample_ == plan_->exploration_signal.size()) {
+      ++after_signal_;
+      return 0.0;
+    }
     return plan_->exploration_signal[next_sample_++];
   }
   const double climb = (odometry.q_WB.normalized() * odometry.v_WB_B).z();  // ż, world axes [m/s]
@@ -153,6 +157,14 @@ const ControlOutput& FlightController::update(const quad_sim::Odometry& odometry
   Allocation allocation = mixer_.allocate({out.thrust, out.tau_phi, out.tau_theta, out.tau_psi});
   out.rotor_speed = std::move(allocation.rotor_speed);
   out.clamped = allocation.clamped;
+  return append(std::move(out));
+}
+
+const ControlOutput& FlightController::append(ControlOutput&& out) {
+  if (after_signal_ > kKeptAnswers) return record_.back() = std::move(out);
+  if (plan_->exploration_signal.empty() && record_.size() + 1 == 2 * kKeptAnswers) {  // seldom, so it costs next to nothing
+    record_.erase(record_.begin(), record_.begin() + static_cast<std::ptrdiff_t>(kKeptAnswers));
+  }
   record_.push_back(std::move(out));
   return record_.back();
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "quad_support/errors.hpp"
 #include "quad_support/linear_algebra.hpp"
@@ -45,24 +47,50 @@ AllocationMatrix allocationMatrix(const std::vector<RotorGeometry>& rotors) {
   return matrix;
 }
 
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  }
+  return text;
+}
+
+/// What a vehicle cannot do. An axis can be commanded alone if its unit vector is in the range of K, that is orthogonal
+/// to the null space of Kᵀ (columns of `lost`, orthonormal). Where it lies within that space, its row of K is zero;
+/// otherwise the rotors give the axis only together with others.
+std::string describeLoss(const Eigen::MatrixXd& lost) {
+  static const char* const kNames[4] = {"thrust", "roll torque", "pitch torque", "yaw torque"};
+  std::vector<std::string> never, coupled;
+  for (int axis = 0; axis < 4; ++axis) {
+    const double part = lost.row(axis).norm();
+    if (part < kRankTolerance) continue;
+    (1.0 - part < kRankTolerance ? never : coupled).emplace_back(kNames[axis]);
+  }
+  std::string text;
+  if (!never.empty()) text = listed(never) + " cannot be commanded";
+  if (!never.empty() && !coupled.empty()) text += ", and ";
+  if (!coupled.empty()) text += listed(coupled) + " cannot be commanded independently of each other";
+  return text;
+}
+
 // Thrust and torques have different units, so the rank is judged with every row scaled to length 1.
 void requireFullRank(const AllocationMatrix& matrix) {
-  static const char* const kNames[4] = {"thrust", "roll torque", "pitch torque", "yaw torque"};
   AllocationMatrix scaled = matrix;
   for (int row = 0; row < 4; ++row) {
     const double norm = scaled.row(row).norm();
-    if (norm > 0.0) scaled.row(row) /= norm;
+    // A row that holds but rounding is no axis either; the other rows tell how large K's entries are.
+    const double size = row == 0 ? 0.0 : matrix.row(0).norm();
+    if (norm > kRankTolerance * kRankTolerance * size) scaled.row(row) /= norm;
   }
   const Eigen::VectorXd sigma = quad_support::singularValues(scaled);
   int rank = 0;
   while (rank < sigma.size() && sigma(rank) > kRankTolerance * sigma(0)) ++rank;
   if (rank == 4) return;
-  Eigen::Index lost = 0;  // the entry of U that weighs most in the direction no rotor reaches
-  quad_support::leftSingularVectors(scaled).col(rank).cwiseAbs().maxCoeff(&lost);
   throw ConfigError(fmt::format(
-      "control allocation: {} rotors give a matrix of rank {} of 4, so {} cannot be commanded independently; check the "
-      "rotors' positions, axes and turning directions, or fly a vehicle with at least four rotors",
-      matrix.cols(), rank, kNames[lost]));
+      "control allocation: {} rotors give a matrix of rank {} of 4, so {}; check the rotors' positions, axes and turning "
+      "directions, or fly a vehicle with at least four rotors",
+      matrix.cols(), rank, describeLoss(quad_support::leftSingularVectors(scaled).rightCols(4 - rank))));
 }
 
 }  // namespace

@@ -140,6 +140,7 @@ TEST_P(ClosedLoop, RecoversFromATiltInTheFallOfExploration) {
   // The end of the thesis's flight: falling at 50 m/s with the feed-forward alone, 6.1 N of 7.2 N.
   Flight flight(GetParam());
   flight.plan().exploration_start_ns = 0;
+  flight.plan().exploration_signal = {0.0};  // and zero after it
   quad_sim::VehicleState start = flight.start();
   start.q_WB = Eigen::AngleAxisd(5.0 * M_PI / 180, Eigen::Vector3d(1, 1, 0).normalized());
   start.v_WB.z() = -50.0;
@@ -188,6 +189,7 @@ TEST_P(ClosedLoop, FallsAsThePointMassDoesWithoutSignal) {
   // T_eff = 0: z̈ = m̂0 g / m − g once the rotors have slowed down, whatever the attitude loops do.
   Flight flight(GetParam());
   flight.plan().exploration_start_ns = 0;
+  flight.plan().exploration_signal = {0.0};  // and zero after it
   const std::vector<Sample> samples = flight.fly(flight.start(), 300);
   const double acceleration = (kEstimate / 0.73 - 1.0) * 9.8;
   // The late command and the rotor lag (25 ms down) hold the first thrust a little longer: constant offset in ż.

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -105,6 +106,46 @@ TEST(FlightController, SignalReplacesTheAltitudeLoopSampleBySample) {
     EXPECT_EQ(out.thrust, out.t_eff + kEstimate * kGravity);
   }
   EXPECT_EQ(controller.record().size(), 8u);
+}
+
+TEST(FlightController, WithoutSignalTheHoldGoesOnWhateverTheStart) {
+  FlightPlan p = plan();
+  p.exploration_start_ns = 0;  // as a message leaves it that sets no start
+  FlightController controller = begun(p);
+  for (int k = 0; k < 5; ++k) {
+    const ControlOutput& out = controller.update(odometry(k));
+    EXPECT_FALSE(out.exploring);
+    EXPECT_NEAR(out.t_eff, p.initial_altitude_effort, 1e-15);
+  }
+}
+
+TEST(FlightController, TheRecordOfAnEndlessHoldIsBounded) {
+  constexpr int kKept = static_cast<int>(FlightController::kKeptAnswers), kUpdates = 5 * kKept / 2;
+  FlightController controller = begun();
+  std::size_t longest = 0;
+  for (int k = 0; k < kUpdates; ++k) {
+    EXPECT_EQ(controller.update(odometry(k)).time_ns, k * kPeriod);
+    longest = std::max(longest, controller.record().size());
+  }
+  EXPECT_EQ(longest, 2 * FlightController::kKeptAnswers - 1);
+  ASSERT_GE(controller.record().size(), FlightController::kKeptAnswers);
+  EXPECT_EQ(controller.record().back().time_ns, (kUpdates - 1) * kPeriod);
+  for (std::size_t i = 1; i < controller.record().size(); ++i) {  // nothing lost in between
+    ASSERT_EQ(controller.record()[i].time_ns - controller.record()[i - 1].time_ns, kPeriod) << i;
+  }
+}
+
+TEST(FlightController, TheRecordOfASignalIsWholeHoweverLongTheFlightGoesOn) {
+  constexpr int kKept = static_cast<int>(FlightController::kKeptAnswers), kUpdates = 3 * kKept;
+  FlightPlan p = plan();
+  p.exploration_start_ns = 3 * kPeriod;
+  p.exploration_signal = {0.1, -0.2};
+  FlightController controller = begun(p);
+  for (int k = 0; k < kUpdates; ++k) controller.update(odometry(k));
+  ASSERT_EQ(controller.record().size(), 3 + 2 + FlightController::kKeptAnswers);
+  EXPECT_EQ(controller.record().front().time_ns, 0);
+  EXPECT_EQ(controller.record()[4].t_eff, -0.2);
+  EXPECT_EQ(controller.record().back().time_ns, (kUpdates - 1) * kPeriod);
 }
 
 TEST(FlightController, TheSameStampGetsTheSameAnswerOnce) {

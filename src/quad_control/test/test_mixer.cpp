@@ -162,16 +162,32 @@ TEST(Mixer, MaximalThrustIsRotorS) {
 TEST(Mixer, SingularAllocationNamesWhatIsLost) {
   std::vector<RotorGeometry> rotors = hummingbirdRotors();
   for (RotorGeometry& rotor : rotors) rotor.moment_constant = 0.0;
-  EXPECT_NE(messageOf(rotors).find("rank 3 of 4, so yaw torque cannot be commanded"), std::string::npos)
+  EXPECT_NE(messageOf(rotors).find("rank 3 of 4, so yaw torque cannot be commanded; "), std::string::npos)
+      << messageOf(rotors);
+  rotors = hummingbirdRotors();
+  for (RotorGeometry& rotor : rotors) rotor.spin = 1;  // the drag torques no longer cancel: yaw goes with thrust
+  EXPECT_NE(messageOf(rotors).find("rank 3 of 4, so thrust and yaw torque cannot be commanded independently of each "
+                                   "other; "),
+            std::string::npos)
+      << messageOf(rotors);
+  for (RotorGeometry& rotor : rotors) rotor.position_B.x() = 0.0;
+  EXPECT_NE(messageOf(rotors).find("rank 2 of 4, so pitch torque cannot be commanded, and thrust and yaw torque cannot "
+                                   "be commanded independently of each other; "),
+            std::string::npos)
       << messageOf(rotors);
   rotors = hummingbirdRotors();
   rotors[0].position_B.x() = rotors[2].position_B.x() = 0.0;
   for (RotorGeometry& rotor : rotors) rotor.spin = rotor.position_B.y() > 0 ? 1 : -1;
   EXPECT_NE(messageOf(rotors).find("rank"), std::string::npos);
-  EXPECT_NE(messageOf(rotors).find("pitch torque"), std::string::npos) << messageOf(rotors);
+  EXPECT_NE(messageOf(rotors).find("so pitch torque cannot be commanded; "), std::string::npos) << messageOf(rotors);
   rotors = hummingbirdRotors();
   rotors.pop_back();
-  EXPECT_NE(messageOf(rotors).find("3 rotors"), std::string::npos) << messageOf(rotors);
+  EXPECT_NE(messageOf(rotors).find("3 rotors give a matrix of rank 3 of 4, so thrust, roll torque and yaw torque cannot "
+                                   "be commanded independently of each other;"),
+            std::string::npos)
+      << messageOf(rotors);
+  rotors.resize(2);
+  EXPECT_NE(messageOf(rotors).find("2 rotors give a matrix of rank 2 of 4"), std::string::npos) << messageOf(rotors);
   EXPECT_NE(messageOf({}).find("0 rotors"), std::string::npos) << messageOf({});
 }
 

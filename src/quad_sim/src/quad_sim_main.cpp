@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "quad_sim/plugin.hpp"
 #include "quad_sim/replay.hpp"
@@ -23,6 +24,7 @@ struct SimulateArguments {
   std::string mode = "folded", profile = "default", ground = "off";
   double step = 0.001, duration = 0, gravity = 9.8;
   std::int64_t every = 1;
+  bool verbose = false;
 };
 
 constexpr const char* kExample = R"(Example (from the workspace, after `make build`):
@@ -51,6 +53,7 @@ void addSimulate(CLI::App& app, SimulateArguments& a) {
   simulate->add_option("--ground", a.ground, "contact plane at z = 0: on or off")->capture_default_str();
   simulate->add_option("--mode", a.mode, "folded or hinged")->capture_default_str();
   simulate->add_option("--profile", a.profile, "default or rotors_compat")->capture_default_str();
+  simulate->add_flag("--verbose", a.verbose, "also list the URDF's plugins that have no effect here");
 }
 
 /// Which of two words an option says.
@@ -74,6 +77,22 @@ std::int64_t countSteps(const SimulateArguments& a, std::int64_t step_ns) {
   return duration_ns / step_ns;
 }
 
+/// The simulator, whose complaints about an option name the key of a configuration, in the words of the command line.
+quad_sim::Simulator makeSimulator(const quad_sim::VehicleModel& model, const quad_sim::SimulatorOptions& options) {
+  try {
+    return quad_sim::Simulator(model, options);
+  } catch (const std::invalid_argument& e) {
+    const std::string text = e.what();
+    for (const auto& [key, option] : {std::pair<std::string, std::string>{"simulation.step = ", "--step "},
+                                      {"simulation.gravity = ", "--gravity "},
+                                      {"simulation.multibody = ", "--mode "},
+                                      {"simulation.profile = ", "--profile "}}) {
+      if (text.rfind(key, 0) == 0) throw std::invalid_argument(option + text.substr(key.size()));
+    }
+    throw;
+  }
+}
+
 int simulate(const SimulateArguments& a) {
   quad_sim::SimulatorOptions options;
   options.step = a.step;
@@ -87,11 +106,13 @@ int simulate(const SimulateArguments& a) {
 
   const quad_sim::VehicleModel model = quad_sim::loadVehicle(a.urdf);
   const std::size_t rotors = model.rotors.size();
-  for (const std::string& plugin : quad_sim::ignoredPlugins(model)) {
-    std::fprintf(stderr, "quad_sim: note: without effect here: %s\n", plugin.c_str());
+  if (a.verbose) {
+    for (const std::string& plugin : quad_sim::ignoredPlugins(model)) {
+      std::fprintf(stderr, "quad_sim: note: without effect here: %s\n", plugin.c_str());
+    }
   }
   const auto commands = quad_sim::readCommands(quad_support::CsvTable::read(a.commands), rotors);
-  quad_sim::Simulator simulator(model, options);
+  quad_sim::Simulator simulator = makeSimulator(model, options);
   const std::int64_t steps = countSteps(a, simulator.stepNanoseconds());
   quad_sim::VehicleState start;
   start.p_WB.z() = 0.06;  // where the Hummingbird rests on the ground

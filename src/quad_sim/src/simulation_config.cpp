@@ -60,6 +60,17 @@ void readSimulation(const ConfigReader& in, SimulationConfig& config) {
   in.finish();
 }
 
+/// Complains about vehicle.mass where it, and not the URDF, keeps the vehicle from hovering.
+void checkMass(const ConfigReader& vehicle, const SimulationConfig& config) {
+  hoverSpeed(loadVehicle(config.urdf), 0.0);  // what is wrong with the URDF itself is said here
+  if (!config.mass) return;
+  try {
+    hoverSpeed(loadVehicle(config), config.options.gravity);
+  } catch (const std::invalid_argument& e) {
+    vehicle.fail("mass", e.what());
+  }
+}
+
 }  // namespace
 
 std::string findUrdf(const std::string& name, const std::string& config_folder) {
@@ -83,6 +94,7 @@ SimulationConfig readSimulationConfig(const ConfigReader& vehicle, const ConfigR
   SimulationConfig config;
   readVehicle(vehicle, config);
   readSimulation(simulation, config);
+  checkMass(vehicle, config);
   return config;
 }
 

@@ -48,7 +48,42 @@ PluginDeclaration toDeclaration(const XMLElement& element, const std::string& fi
   return plugin;
 }
 
+/// The number in an attribute of an inertial; `label` is what messages call it. Attributes left out are urdfdom's to find.
+void checkNumber(const XMLElement* element, const char* attribute, const char* label, bool positive,
+                 const std::string& file, const std::string& link) {
+  const char* const raw = element ? element->Attribute(attribute) : nullptr;
+  if (!raw) return;
+  const std::string text = trimmed(raw);
+  const auto fail = [&](const char* unit, const char* limit) {
+    throw quad_support::ConfigError(fmt::format("{}:{}: link '{}': {} = {}{}; must be {}", file, element->GetLineNum(),
+                                                link, label, text, unit, limit));
+  };
+  double value = 0;
+  try {
+    value = quad_support::parseDouble(text);
+  } catch (const std::invalid_argument&) {
+    fail("", "a number");
+  }
+  if (!std::isfinite(value)) fail("", "a finite number");
+  if (positive && !(value > 0)) fail(" kg", "> 0");
+}
+
 }  // namespace
+
+void checkInertials(const std::string& urdf_text, const std::string& file) {
+  tinyxml2::XMLDocument document;
+  const XMLElement& robot = parse(document, urdf_text, file);
+  for (const XMLElement* link = robot.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
+    const XMLElement* const inertial = link->FirstChildElement("inertial");
+    if (!inertial) continue;
+    const char* const attribute = link->Attribute("name");
+    const std::string name = attribute ? attribute : "";
+    checkNumber(inertial->FirstChildElement("mass"), "value", "mass", true, file, name);
+    for (const char* entry : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}) {
+      checkNumber(inertial->FirstChildElement("inertia"), entry, entry, false, file, name);
+    }
+  }
+}
 
 std::vector<PluginDeclaration> readPlugins(const std::string& urdf_text, const std::string& file) {
   tinyxml2::XMLDocument document;

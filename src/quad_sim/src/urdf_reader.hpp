@@ -25,6 +25,7 @@ struct LinkRecord {
 struct JointRecord {
   std::string name, child;
   bool turns = false;                                        ///< continuous or revolute
+  bool free = false;                                         ///< continuous: turns without end, as rotors do
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();           ///< in the child's axes
 };
 
@@ -40,6 +41,11 @@ UrdfTree readTree(const std::string& urdf_text, const std::string& file);
 
 /// Reads the `<gazebo><plugin>` elements (tinyxml2), which urdfdom skips. @throws quad_support::ConfigError
 std::vector<PluginDeclaration> readPlugins(const std::string& urdf_text, const std::string& file);
+
+/// Checks that the mass and the inertia of every link are finite numbers and the mass is positive. To be called before
+/// readTree(): urdfdom takes what is no number for zero and knows no lines.
+/// @throws quad_support::ConfigError with file, line, link and the text found
+void checkInertials(const std::string& urdf_text, const std::string& file);
 
 /// "file:line" of the element with that tag and name attribute, or just the file.
 std::string locate(const std::string& urdf_text, const std::string& file, const std::string& tag,

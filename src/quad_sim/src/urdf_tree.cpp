@@ -71,8 +71,8 @@ void collect(const urdf::Link& link, const Eigen::Isometry3d& X_RL, int rigid_gr
   group_of.push_back(rigid_group);
   for (const urdf::JointSharedPtr& joint : link.child_joints) {
     const bool fixed = joint->type == urdf::Joint::FIXED;
-    tree.joints.push_back({joint->name, joint->child_link_name,
-                           joint->type == urdf::Joint::CONTINUOUS || joint->type == urdf::Joint::REVOLUTE,
+    const bool free = joint->type == urdf::Joint::CONTINUOUS;
+    tree.joints.push_back({joint->name, joint->child_link_name, free || joint->type == urdf::Joint::REVOLUTE, free,
                            Eigen::Vector3d(joint->axis.x, joint->axis.y, joint->axis.z)});
     for (const urdf::LinkSharedPtr& child : link.child_links) {
       if (child->name != joint->child_link_name) continue;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,15 +37,26 @@ const Record* findByName(const std::vector<Record>& records, const std::string& 
 
 bool isPositiveDefinite(const Eigen::Matrix3d& m) { return m.allFinite() && m.llt().info() == Eigen::Success; }
 
+/// No distribution of mass has a principal moment above the sum of the two others; a flat plate has them equal.
+void checkPrincipalMoments(const LinkRecord& link, const Source& source) {
+  // URDFs print moments to three digits or more: half a unit in the third of each of the three, 5e-4 of the largest,
+  // may break the equality of a plate.
+  constexpr double kPrinted = 3 * 5e-4;
+  const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(link.inertia_L).eigenvalues();
+  if (moments[2] <= moments[0] + moments[1] + kPrinted * moments[2]) return;
+  source.fail("link", link.name,
+              fmt::format("no body has the principal moments of inertia {:.6g}, {:.6g} and {:.6g} kg m^2: the largest must be <= "
+                          "the sum of the two others (triangle inequality)",
+                          moments[0], moments[1], moments[2]));
+}
+
 void checkLinks(const UrdfTree& tree, const Source& source) {
   for (const LinkRecord& link : tree.links) {
     if (!link.has_inertia) continue;
-    if (!(link.mass > 0) || !std::isfinite(link.mass)) {
-      source.fail("link", link.name, fmt::format("mass = {} kg; must be > 0", shortest(link.mass)));
-    }
     if (!isPositiveDefinite(link.inertia_L)) {
       source.fail("link", link.name, "the inertia is not positive definite");
     }
+    checkPrincipalMoments(link, source);
   }
 }
 
@@ -62,6 +74,8 @@ int motorNumber(const PluginDeclaration& p) {
   }
   return static_cast<int>(value);
 }
+
+bool isMotor(const PluginDeclaration& p) { return p.filename == "librotors_gazebo_motor_model.so"; }
 
 int spinOf(const PluginDeclaration& p) {
   const std::string direction = p.text("turningDirection", "cw");
@@ -107,11 +121,41 @@ RotorModel readRotor(const PluginDeclaration& p, const UrdfTree& tree) {
   return rotor;
 }
 
+/// "motor number 1 is missing: there are 0, 2, 3"; `rotors` by motor number, all different. Empty without a gap.
+std::string missingNumber(const std::vector<RotorModel>& rotors) {
+  std::string numbers;
+  int missing = 0;
+  for (const RotorModel& rotor : rotors) {
+    if (rotor.motor_number == missing) ++missing;
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(rotor.motor_number);
+  }
+  if (missing == static_cast<int>(rotors.size())) return "";
+  return fmt::format("motor number {} is missing: there are {}", missing, numbers);
+}
+
+/// Every freely turning joint needs a motor, and the motors' numbers must be 0, 1, ... without gap.
+void checkMotors(const std::vector<RotorModel>& rotors, const std::vector<PluginDeclaration>& plugins,
+                 const UrdfTree& tree, const Source& source) {
+  const std::string gap = missingNumber(rotors);
+  for (const JointRecord& joint : tree.joints) {
+    const auto drives = [&](const RotorModel& rotor) { return rotor.joint == joint.name; };
+    if (!joint.free || std::any_of(rotors.begin(), rotors.end(), drives)) continue;
+    source.fail("joint", joint.name,
+                fmt::format("no motor plugin drives it and its link '{}'; {}. Declare one, or make the joint fixed", joint.child,
+                            gap.empty() ? fmt::format("motor numbers 0..{} are other joints'", rotors.size() - 1) : gap));
+  }
+  if (gap.empty()) return;
+  for (const PluginDeclaration& p : plugins) {
+    if (!isMotor(p) || motorNumber(p) != rotors.back().motor_number) continue;
+    p.fail("motorNumber", fmt::format("leaves a gap: {}; {} rotors are numbered 0..{}", gap, rotors.size(), rotors.size() - 1));
+  }
+}
+
 std::vector<RotorModel> readRotors(const std::vector<PluginDeclaration>& plugins, const UrdfTree& tree,
-                                   const std::string& file) {
+                                   const Source& source) {
   std::vector<RotorModel> rotors;
   for (const PluginDeclaration& p : plugins) {
-    if (p.filename != "librotors_gazebo_motor_model.so") continue;
+    if (!isMotor(p)) continue;
     rotors.push_back(readRotor(p, tree));
     for (std::size_t i = 0; i + 1 < rotors.size(); ++i) {
       const RotorModel& other = rotors[i];
@@ -120,16 +164,12 @@ std::vector<RotorModel> readRotors(const std::vector<PluginDeclaration>& plugins
     }
   }
   if (rotors.empty()) {
-    throw ConfigError(file + ": no rotor; declare one <gazebo><plugin filename=\"librotors_gazebo_motor_model.so\"> each");
+    throw ConfigError(source.file +
+                      ": no rotor; declare one <gazebo><plugin filename=\"librotors_gazebo_motor_model.so\"> each");
   }
   std::sort(rotors.begin(), rotors.end(),
             [](const RotorModel& a, const RotorModel& b) { return a.motor_number < b.motor_number; });
-  for (std::size_t i = 0; i < rotors.size(); ++i) {
-    if (rotors[i].motor_number != static_cast<int>(i)) {
-      throw ConfigError(fmt::format("{}: {} rotors but none with motorNumber {}; numbers must be 0..{}", file,
-                                    rotors.size(), i, rotors.size() - 1));
-    }
-  }
+  checkMotors(rotors, plugins, tree, source);
   return rotors;
 }
 
@@ -178,8 +218,8 @@ void sumUp(const UrdfTree& tree, std::optional<double> total_mass, const std::st
   }
   if (total_mass) {  // a point mass at base_link's origin: adds to neither the first moment nor the inertia about it
     if (!(*total_mass > 0) || !(base_mass + *total_mass - mass > 0)) {
-      throw ConfigError(fmt::format("{}: total mass {} kg; must be > {} kg, what the links beside {} weigh", file,
-                                    shortest(*total_mass), shortest(mass - base_mass), tree.base_link));
+      throw ConfigError(fmt::format("{}: total mass {} kg; must be > {:.6g} kg, what the links beside {} weigh", file,
+                                    shortest(*total_mass), mass - base_mass, tree.base_link));
     }
     mass = *total_mass;
   }
@@ -199,6 +239,7 @@ VehicleModel parseVehicle(const std::string& urdf_text, const std::string& name,
   const Source source{urdf_text, name};
   VehicleModel model;
   model.plugins = readPlugins(urdf_text, name);  // first: it says the line of malformed XML
+  checkInertials(urdf_text, name);
   const UrdfTree tree = readTree(urdf_text, name);
   model.name = tree.robot;
   model.base_link = tree.base_link;
@@ -206,7 +247,7 @@ VehicleModel parseVehicle(const std::string& urdf_text, const std::string& name,
   for (const PluginDeclaration& p : model.plugins) {
     if (pluginRole(p) == PluginRole::kSensor) model.sensors.push_back(readSensor(p, tree));
   }
-  model.rotors = readRotors(model.plugins, tree, name);
+  model.rotors = readRotors(model.plugins, tree, source);
   sumUp(tree, total_mass, name, model);
   for (const LinkRecord& link : tree.links) {
     model.link_names.push_back(link.name);
@@ -232,8 +273,9 @@ double hoverSpeed(const VehicleModel& model, double gravity) {
   if (!(lift > 0)) throw std::invalid_argument(model.name + ": the rotors' thrust does not point up, so it cannot hover");
   const double speed = std::sqrt(model.mass * gravity / lift);
   if (speed > max_speed) {
-    throw std::invalid_argument(fmt::format("{}: hovering with {} kg takes {} rad/s, but the rotors turn at most {} rad/s",
-                                            model.name, shortest(model.mass), shortest(speed), shortest(max_speed)));
+    throw std::invalid_argument(fmt::format(
+        "{}: hovering with {} kg takes {:.6g} rad/s, but the rotors turn at most {} rad/s, which carries {:.4g} kg", model.name,
+        shortest(model.mass), speed, shortest(max_speed), lift * max_speed * max_speed / gravity));
   }
   return speed;
 }

@@ -103,6 +103,13 @@ TEST_F(Program, WritesWhatTheLibraryDoes) {
   EXPECT_EQ(quad_support::readFile(path("o.csv")), replay(s, commands, 500, 100));
 }
 
+TEST_F(Program, PluginsWithoutEffectAreListedOnRequest) {
+  ASSERT_EQ(call(usual() + " --duration 0.1"), 0) << errors();
+  EXPECT_EQ(errors(), "");
+  ASSERT_EQ(call(usual() + " --duration 0.1 --verbose"), 0) << errors();
+  EXPECT_THAT(errors(), HasSubstr("without effect here: librotors_gazebo_imu_plugin.so (imu, imugt)"));
+}
+
 TEST_F(Program, BadInputIsExitTwoAndLeavesNoFile) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {usual(), "--duration is required"},
@@ -110,7 +117,10 @@ TEST_F(Program, BadInputIsExitTwoAndLeavesNoFile) {
       {usual() + " --duration -1", "--duration -1"},
       {usual() + " --duration 1 --every 0", "--every 0"},
       {usual() + " --duration 1 --ground perhaps", "must be off or on"},
-      {usual() + " --duration 1 --step 0", "simulation.step = 0"},
+      {usual() + " --duration 1 --step 0", "quad_sim: --step 0 s; must be a whole number"},
+      {usual() + " --duration 1 --gravity -1", "quad_sim: --gravity -1 m/s^2; must be >= 0"},
+      {usual() + " --duration 1 --mode hinged", "quad_sim: --mode hinged; is not available"},
+      {usual() + " --duration 1 --profile rotors_compat", "quad_sim: --profile rotors_compat; is not available"},
       {usual() + " --duration 1 --state " + path("nothing.csv"), "nothing.csv"},
       {"fly", "--help"},
   };

@@ -57,6 +57,9 @@ TEST(SimulationConfig, ComplaintsNameLineKeyAndLimit) {
   EXPECT_THAT(says("namespace: hummingbird", "namespace: /x"), HasSubstr("vehicle.namespace = /x; must be a ROS name"));
   EXPECT_THAT(says("0.73", "-1"), HasSubstr("vehicle.mass = -1"));
   EXPECT_THAT(says("step: 0.001", "step: 0.00100000005"), HasSubstr("whole number of nanoseconds"));
+  EXPECT_THAT(says("0.73", "5"), testing::MatchesRegex("c.yaml:4: vehicle.mass = 5; hummingbird: hovering with 5 kg takes "
+                                                       "1197.* rad/s, but the rotors turn at most 838 rad/s, which carries 2.45 kg"));
+  EXPECT_THAT(says("0.73", "0.03"), testing::MatchesRegex("c.yaml:4: vehicle.mass = 0.03; .*must be > 0.036 kg.*"));
   EXPECT_THAT(says("gravity: 9.8", "gravity: -9.8"), HasSubstr("simulation.gravity = -9.8"));
   EXPECT_THAT(says("folded", "welded"), HasSubstr("simulation.multibody = welded"));
   EXPECT_THAT(says("initial_altitude: 5000.0", "initial_altitude: -1"), HasSubstr("initial_altitude = -1"));

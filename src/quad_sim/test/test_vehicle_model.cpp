@@ -104,7 +104,9 @@ TEST(VehicleModel, MessagesNameFileLineAndTag) {
               HasSubstr("link 'hummingbird/base_link_inertia': the inertia is not positive definite"));
   EXPECT_THAT(parseComplaint(replaced(good, "<motorNumber>1<", "<motorNumber>0<")),
               testing::MatchesRegex("m.urdf:[0-9]+: plugin 'rotor_1_motor_model' .*: motorNumber = 0 is taken by .*"));
-  EXPECT_THAT(parseComplaint(replaced(good, "<motorNumber>3<", "<motorNumber>4<")), HasSubstr("none with motorNumber 3"));
+  EXPECT_THAT(parseComplaint(replaced(good, "<motorNumber>3<", "<motorNumber>4<")), 
+              testing::MatchesRegex("m.urdf:[0-9]+: plugin 'rotor_3_motor_model' .*: motorNumber = 4 leaves a gap: motor number "
+                                    "3 is missing: there are 0, 1, 2, 4; 4 rotors are numbered 0..3"));
   EXPECT_THAT(parseComplaint(replaced(good, "<motorNumber>3<", "<motorNumber>x<")), HasSubstr("motorNumber = x must be a number"));
   EXPECT_THAT(parseComplaint(replaced(good, "<motorConstant>8.54858e-06<", "<motorConstant>-1<")),
               HasSubstr("motorConstant = -1 must be > 0"));
@@ -114,6 +116,45 @@ TEST(VehicleModel, MessagesNameFileLineAndTag) {
   EXPECT_THAT(parseComplaint("<robot name='r'><link name='base_link'/></robot>"), HasSubstr("no rotor"));
   EXPECT_THAT(parseComplaint("<robot name='r'"), HasSubstr("m.urdf:"));
   EXPECT_THAT(parseComplaint(""), HasSubstr("m.urdf"));
+}
+
+TEST(VehicleModel, MassesThatAreNoNumbersAreNamed) {
+  const std::string good = hummingbirdText();
+  for (const char* text : {"nan", "inf"}) {
+    EXPECT_THAT(parseComplaint(replaced(good, "<mass value=\"0.009\"", std::string("<mass value=\"") + text + "\"")),
+                testing::MatchesRegex(std::string("m.urdf:[0-9]+: link 'hummingbird/rotor_0': mass = ") + text +
+                                      "; must be a finite number"));
+  }
+  EXPECT_THAT(parseComplaint(replaced(good, "<mass value=\"0.009\"", "<mass value=\"light\"")),
+              testing::MatchesRegex("m.urdf:[0-9]+: link 'hummingbird/rotor_0': mass = light; must be a number"));
+  EXPECT_THAT(parseComplaint(replaced(good, "izz=\"0.012\"", "izz=\"nan\"")),
+              testing::MatchesRegex("m.urdf:[0-9]+: link 'hummingbird/base_link_inertia': izz = nan; must be a finite number"));
+}
+
+TEST(VehicleModel, AnInertiaThatNoBodyHasIsRefused) {
+  const std::string good = hummingbirdText();
+  EXPECT_THAT(parseComplaint(replaced(good, "izz=\"0.012\"", "izz=\"0.02\"")),
+              testing::MatchesRegex("m.urdf:[0-9]+: link 'hummingbird/base_link_inertia': no body has the principal moments of "
+                                    "inertia 0.007, 0.007 and 0.02 kg m.2: .*triangle inequality.*"));
+  EXPECT_GT(parseVehicle(replaced(good, "izz=\"0.012\"", "izz=\"0.014\""), "m.urdf").inertia_B(2, 2), 0.014);  // a plate
+}
+
+/// `text` without the <gazebo> element around `word`.
+std::string withoutGazebo(const std::string& text, const std::string& word) {
+  const auto at = text.find(word);
+  EXPECT_NE(at, std::string::npos) << word;
+  const auto begin = text.rfind("<gazebo", at), end = text.find("</gazebo>", at) + std::string("</gazebo>").size();
+  return text.substr(0, begin) + text.substr(end);
+}
+
+TEST(VehicleModel, ARotorWithoutMotorPluginIsNamed) {
+  const std::string good = hummingbirdText();
+  EXPECT_THAT(parseComplaint(withoutGazebo(good, "rotor_3_motor_model")),
+              testing::MatchesRegex("m.urdf:[0-9]+: joint 'hummingbird/rotor_3_joint': no motor plugin drives it and its link "
+                                    "'hummingbird/rotor_3'; motor numbers 0..2 are other joints'.*"));
+  EXPECT_THAT(parseComplaint(withoutGazebo(good, "rotor_1_motor_model")),
+              testing::MatchesRegex("m.urdf:[0-9]+: joint 'hummingbird/rotor_1_joint': .*'hummingbird/rotor_1'; motor number 1 is "
+                                    "missing: there are 0, 2, 3.*"));
 }
 
 TEST(VehicleModel, AnUnknownPluginListsTheKnownOnes) {

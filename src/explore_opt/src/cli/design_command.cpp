@@ -14,11 +14,14 @@ constexpr const char* kHelp = R"(Example:
   echo '{"A": [[1, 0.1635], [0, 1]], "B": [[0.0214], [0.2617]], "T": 370, "harmonics": [3, 6, 8, 10],
          "phase": "sin", "gamma_w": 20, "D_des": 100}' > problem.json
   explore_opt design problem.json --out design.json
+  explore_opt design problem.json --method mm --initial design.json --cost-tolerance 1e-6
 D_des: a number (times I), n_phi x n_phi (meaning D (x) I) or the full matrix. Optional: K (feedback), x0 (zero).
+The answer's amplitudes: a row a carrier, a column an input; phase both: {"cos": rows, "sin": rows}. --initial takes the
+same rows or a whole answer; only their direction counts, the size is scaled to the boundary.
 Exit code 0: amplitudes found; 3: there are none, or they are not trustworthy (see "status"); 2: bad input.)";
 
 struct Settings {
-  std::string problem, method = "global", out;
+  std::string problem, method = "global", initial, out;
   DesignOptions options;
   bool plain = false;
 };
@@ -29,6 +32,13 @@ int design(const Settings& settings) {
   DesignOptions options = settings.options;
   options.method = methodFromString(settings.method);
   options.extrapolate = !settings.plain;
+  if (!settings.initial.empty()) {
+    if (options.method != DesignMethod::kMm) {
+      throw quad_support::DataError("--initial has no effect on method global; add --method mm");
+    }
+    options.initial_amplitudes =
+        amplitudesFromJson(quad_support::readFile(settings.initial), settings.initial, problem);
+  }
   const DesignResult result = designExploration(problem, options);
   writeAnswer(settings.out, prettyJson(designToJson(problem, result)));
   if (result.status == DesignStatus::kSolved || result.status == DesignStatus::kReducedAccuracy) {
@@ -56,6 +66,8 @@ Action addDesignCommand(CLI::App& app) {
   command
       ->add_option("--starts", options.random_starts, "global: random starts while the gap is open")
       ->capture_default_str();
+  command->add_option("--initial", settings->initial,
+                      "mm: JSON file with the candidate to start at; default: ones, or a search");
   command->add_option("--max-iterations", options.max_iterations, "mm: re-linearisations")
       ->capture_default_str();
   command

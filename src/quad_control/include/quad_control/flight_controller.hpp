@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -30,7 +31,8 @@ struct FlightPlan {
   /// The altitude integral's part of T_eff at the first sample [N], K_I e_I0. (m − m̂0) g with the flown total mass m
   /// makes the hold begin in equilibrium.
   double initial_altitude_effort = 0.0;
-  /// From the first odometry with time_ns >= this on, the signal takes the altitude PI's place.
+  /// From the first odometry with time_ns >= this on, the signal takes the altitude PI's place. Without effect where
+  /// the signal is empty: the hold then goes on for ever.
   std::int64_t exploration_start_ns = std::numeric_limits<std::int64_t>::max();
   std::vector<double> exploration_signal;  ///< T_eff [N], one sample an update; after the last one T_eff = 0
 };
@@ -100,7 +102,12 @@ class FlightController {
   /// @throws std::logic_error before begin(), quad_support::SimulationError if the odometry is not finite
   const ControlOutput& update(const quad_sim::Odometry& odometry);
 
-  /// All answers since begin(), in order.
+  /// The least number of answers that record() keeps of a hold without signal; 2.8 h at 10 Hz, some 15 MB.
+  static constexpr std::size_t kKeptAnswers = 100'000;
+
+  /// The answers since begin(), in order: all of them up to the end of the signal. What can go on for ever is bounded: of
+  /// a flight without signal the last kKeptAnswers to 2 kKeptAnswers - 1 are kept; after the end of a signal as many
+  /// follow as kKeptAnswers, of which the last is the latest.
   const std::vector<ControlOutput>& record() const { return record_; }
   const Mixer& mixer() const { return mixer_; }
 
@@ -110,6 +117,7 @@ class FlightController {
   };
   void restart();
   double effectiveThrust(const quad_sim::Odometry& odometry, ControlOutput& out);
+  const ControlOutput& append(ControlOutput&& out);
 
   Mixer mixer_;
   ControlConfig config_;
@@ -117,6 +125,7 @@ class FlightController {
   std::optional<Loops> loops_;
   double feed_forward_ = 0.0;  // m̂0 g [N]
   std::size_t next_sample_ = 0;
+  std::size_t after_signal_ = 0;  // answers since the signal's last sample
   std::vector<ControlOutput> record_;
 };
 

@@ -82,8 +82,8 @@ struct VehicleModel {
 /// Reads a plain URDF (xacro expanded).
 /// @param total_mass  [kg]; the difference to the URDF's total is put on base_link's origin. nullopt keeps the URDF's
 /// @throws std::invalid_argument if the file cannot be read, quad_support::ConfigError (file:line, link or tag,
-///         problem) for a model that cannot fly: no rotor, motor numbers with a gap or twice, mass or inertia not
-///         positive, unknown plugin (lists the known ones), …
+///         problem) for a model that cannot fly: no rotor, a freely turning joint without motor, motor numbers with a gap or
+///         twice, mass or inertia that is no number, not positive or of no body, unknown plugin (lists the known ones), …
 VehicleModel loadVehicle(const std::string& urdf_path, std::optional<double> total_mass = std::nullopt);
 
 /// The same from text; `name` stands for the file in messages.

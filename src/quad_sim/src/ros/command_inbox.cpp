@@ -1,5 +1,6 @@
 #include "command_inbox.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace quad_sim {
@@ -18,7 +19,8 @@ void CommandInbox::put(std::int64_t stamp_ns, ArrivedCommand command) {
 std::optional<ArrivedCommand> CommandInbox::waitFor(std::int64_t stamp_ns, double timeout) {
   std::unique_lock<std::mutex> lock(mutex_);
   const auto here = [&] { return stopped_ || by_stamp_.count(stamp_ns) > 0; };
-  const auto limit = std::chrono::steady_clock::now() + std::chrono::duration<double>(timeout);
+  const double wait = timeout > 0 ? std::min(timeout, kLongestWait) : 0.0;
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::duration<double>(wait);
   if (!arrived_.wait_until(lock, limit, here) || stopped_) return std::nullopt;
   return by_stamp_.at(stamp_ns);
 }

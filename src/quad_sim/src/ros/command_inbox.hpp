@@ -20,8 +20,11 @@ struct ArrivedCommand {
 /// Filled by the topics' thread, emptied by the service's. Keeps the latest few stamps.
 class CommandInbox {
  public:
+  static constexpr double kLongestWait = 3600.0;  ///< [s]; the clock's nanoseconds end at 292 years
+
   void put(std::int64_t stamp_ns, ArrivedCommand command);
   /// Waits for the command of that stamp; nullopt after `timeout` [s] or when stop() was called.
+  /// A timeout above kLongestWait is cut to it; one that is negative or no number does not wait.
   std::optional<ArrivedCommand> waitFor(std::int64_t stamp_ns, double timeout);
   /// The command that arrived last since clear(), if any.
   std::optional<ArrivedCommand> latest() const;

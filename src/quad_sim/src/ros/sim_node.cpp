@@ -182,8 +182,9 @@ std::string SimNode::runStep(const Step::Request& request) {
   if (request.hold_steps > request.steps) {
     return fmt::format("hold_steps = {}; must be <= steps = {}", request.hold_steps, request.steps);
   }
-  if (!(request.timeout >= 0) || !std::isfinite(request.timeout)) {
-    return "timeout = " + quad_support::shortest(request.timeout) + " s; must be >= 0";
+  if (!(request.timeout >= 0 && request.timeout <= CommandInbox::kLongestWait)) {
+    return fmt::format("timeout = {} s; must lie in [0, {}] s", quad_support::shortest(request.timeout),
+                       CommandInbox::kLongestWait);
   }
   constexpr double kDefaultTimeout = 10.0;  // [s]
   const double timeout = request.timeout > 0 ? request.timeout : kDefaultTimeout;
