@@ -174,10 +174,11 @@ Eigen::VectorXd amplitudesFromJson(const std::string& text, const std::string& s
                       value.contains("sin") && value["cos"].is_array() && value["sin"].is_array() &&
                       value["cos"].size() == value["sin"].size();
     if (!both) {
-      throw ConfigError(fmt::format(
-          "{}: amplitudes; must be {{\"cos\": [[...], ...], \"sin\": [[...], ...]}} with as many rows "
-          "each, for phase is both",
-          source));
+      throw ConfigError(
+          fmt::format("{}: amplitudes; must be {{\"cos\": [[...], ...], \"sin\": [[...], ...]}} "
+                      "with as many rows "
+                      "each, for phase is both",
+                      source));
     }
     rows = value["cos"];
     rows.insert(rows.end(), value["sin"].begin(), value["sin"].end());
@@ -185,8 +186,8 @@ Eigen::VectorXd amplitudesFromJson(const std::string& text, const std::string& s
   const Eigen::MatrixXd m = matrixFromJson(rows, source + ": amplitudes");
   const int carriers = numCarriers(problem.lines, problem.phase);
   if (m.rows() != carriers || m.cols() != problem.numInputs()) {
-    throw ConfigError(fmt::format("{}: amplitudes are {} x {}; must be {} carriers x {} inputs", source,
-                                  m.rows(), m.cols(), carriers, problem.numInputs()));
+    throw ConfigError(fmt::format("{}: amplitudes are {} x {}; must be {} carriers x {} inputs",
+                                  source, m.rows(), m.cols(), carriers, problem.numInputs()));
   }
   return m.reshaped<Eigen::RowMajor>();
 }

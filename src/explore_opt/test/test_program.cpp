@@ -133,10 +133,10 @@ TEST_F(Program, MajorisationStartsAtTheGivenCandidate) {
   const json fresh = json::parse(quad_support::readFile((dir_ / "answer.json").string()));
   // Started at its own answer it has little to do but see that it is one.
   EXPECT_LT(answer()["iterations"].size(), fresh["iterations"].size() / 2);
-  EXPECT_LE(answer()["gamma_e"].get<double>(), fresh["gamma_e"].get<double>() * (1 + 1e-9));  // descent
-  ASSERT_EQ(run(mm + "--max-iterations 1 --initial " +
-                write("twice.json", "[[1], [-2], [3], [0.5]]")),
-            3)
+  EXPECT_LE(answer()["gamma_e"].get<double>(),
+            fresh["gamma_e"].get<double>() * (1 + 1e-9));  // descent
+  ASSERT_EQ(
+      run(mm + "--max-iterations 1 --initial " + write("twice.json", "[[1], [-2], [3], [0.5]]")), 3)
       << stderr_;
   const json first = answer()["iterations"][0]["amplitudes"];
   ASSERT_EQ(run(mm + "--max-iterations 1"), 3);
@@ -154,14 +154,15 @@ TEST_F(Program, InitialCandidatesOfTheWrongShapeExitWith2) {
   EXPECT_NE(stderr_.find("i.json: amplitudes are 3 x 1; must be 4 carriers x 1 inputs"),
             std::string::npos)
       << stderr_;
-  for (const char* text : {"[[1, 1], [2, 1], [3, 1], [4, 1]]", "[1, 2, 3, 4]", "{\"cos\": [[1]]}", "[",
-                           "[[1], [2], [3], [\"4\"]]", "{\"amplitudes\": null}", "3"}) {
+  for (const char* text : {"[[1, 1], [2, 1], [3, 1], [4, 1]]", "[1, 2, 3, 4]", "{\"cos\": [[1]]}",
+                           "[", "[[1], [2], [3], [\"4\"]]", "{\"amplitudes\": null}", "3"}) {
     EXPECT_EQ(run(mm + write("i.json", text)), 2) << text;
   }
   EXPECT_EQ(run(mm + "nofile.json"), 2);
   EXPECT_EQ(run("design p.json --initial " + write("i.json", "[[1], [2], [3], [4]]")), 2);
   EXPECT_NE(stderr_.find("--initial has no effect on method global"), std::string::npos) << stderr_;
-  EXPECT_EQ(run("design " + write("b.json", with("phase", "both")) + " --method mm --initial i.json"), 2);
+  EXPECT_EQ(
+      run("design " + write("b.json", with("phase", "both")) + " --method mm --initial i.json"), 2);
 }
 
 TEST_F(Program, NegativeAnswersExitWith3AndAreWritten) {

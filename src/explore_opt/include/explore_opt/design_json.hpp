@@ -21,7 +21,8 @@ ExplorationProblem problemFromJson(const std::string& text, const std::string& s
 /// printed so that they read back the same.
 nlohmann::ordered_json designToJson(const ExplorationProblem& problem, const DesignResult& result);
 
-/// Amplitudes in the shape designToJson() writes them, or a whole answer with them under `amplitudes`.
+/// Amplitudes in the shape designToJson() writes them, or a whole answer with them under
+/// `amplitudes`.
 /// @returns DesignOptions::initial_amplitudes, p entries, component i n_u + j
 /// @throws quad_support::ConfigError: text that is not JSON, wrong types, shape or values
 Eigen::VectorXd amplitudesFromJson(const std::string& text, const std::string& source,
