@@ -34,7 +34,7 @@ std::vector<std::map<std::string, double>> flySeeds(const ExperimentPlan& plan,
   std::mutex mutex;
   int done = 0;
   const auto work = [&] {
-    InProcessPlant plant(plan.config.simulation, plan.config.control);
+    InProcessPlant plant(plan.config);
     for (int i = next++; i < count; i = next++) {
       const auto slot = static_cast<std::size_t>(i);
       try {

@@ -83,7 +83,7 @@ explore_opt::ExplorationProblem designProblem(const ExperimentConfig& config) {
 ExperimentPlan planExperiment(const ExperimentConfig& config) {
   ExperimentPlan plan;
   plan.config = config;
-  plan.vehicle = quad_sim::loadVehicle(config.simulation);
+  plan.vehicle = config.vehicle;
   plan.knowledge = {{config.timing.sampling_period, plan.vehicle.mass},
                     config.estimate.parameters,
                     config.simulation.options.gravity,

@@ -91,8 +91,8 @@ quad_sim::VehicleModel loadFlyable(const quad_sim::SimulationConfig& simulation)
 }
 
 /// What the controllers would refuse when the flight begins, said where the settings are.
-void requireFlight(const ConfigReader& in, const ExperimentConfig& c,
-                   const quad_sim::VehicleModel& vehicle) {
+void requireFlight(const ConfigReader& in, const ExperimentConfig& c) {
+  const quad_sim::VehicleModel& vehicle = c.vehicle;
   const double gravity = c.simulation.options.gravity;
   if (!(gravity > 0.0))
     in.section("simulation")
@@ -127,9 +127,9 @@ ExperimentConfig readExperimentConfig(const std::string& path, const std::string
   if (c.timing.mode == quad_control::TimingMode::kWallclock)
     c.timing.latency = c.timing.jitter_std = 0.0;
   c.control = quad_control::readControlConfig(in.section("control"), c.timing.sampling_period);
-  const quad_sim::VehicleModel vehicle = loadFlyable(c.simulation);
-  c.estimate = readEstimate(in.section("estimate"), {c.timing.sampling_period, vehicle.mass});
-  requireFlight(in, c, vehicle);
+  c.vehicle = loadFlyable(c.simulation);
+  c.estimate = readEstimate(in.section("estimate"), {c.timing.sampling_period, c.vehicle.mass});
+  requireFlight(in, c);
   c.design = readDesign(in.section("design"));
   for (const auto& signal : in.choices("comparison", {"gaussian"})) {
     if (c.fly_gaussian) in.fail("comparison", signal + " stands twice");

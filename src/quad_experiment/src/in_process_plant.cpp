@@ -1,12 +1,12 @@
 #include "quad_experiment/in_process_plant.hpp"
 
+#include "quad_sim/simulation_config.hpp"
+
 namespace quad_experiment {
 
-InProcessPlant::InProcessPlant(const quad_sim::SimulationConfig& simulation,
-                               const quad_control::ControlConfig& control)
-    : vehicle_(quad_sim::loadVehicle(simulation)),
-      simulator_(quad_sim::makeSimulator(simulation, vehicle_)),
-      controller_(vehicle_, control) {}
+InProcessPlant::InProcessPlant(const ExperimentConfig& config)
+    : simulator_(quad_sim::makeSimulator(config.simulation, config.vehicle)),
+      controller_(config.vehicle, config.control) {}
 
 quad_sim::Measurement InProcessPlant::begin(const quad_control::FlightPlan& plan) {
   controller_.begin(plan);

@@ -24,7 +24,7 @@ ExperimentConfig configOf(const std::string& text) {
 ExperimentResult runInProcess(const ExperimentConfig& config, nlohmann::json* summary = nullptr) {
   const Scratch scratch;
   quad_support::ResultDirectory results(scratch.path("out"), false);
-  InProcessPlant plant(config.simulation, config.control);
+  InProcessPlant plant(config);
   ExperimentResult result = runExperiment(config, plant, "in_process", results);
   results.commit();
   if (summary)
@@ -135,7 +135,7 @@ TEST(AltitudeStep, SettlesAtTheReferenceWithTheVehiclesWeight) {  // thesis Fig.
   FlightSpec spec = flightSpec(plan, {}, middleware);
   spec.plan.references.z += 1.0;
   spec.end_of_hold = 20.0;
-  InProcessPlant plant(plan.config.simulation, plan.config.control);
+  InProcessPlant plant(plan.config);
   const Trajectory flight = fly(plant, spec, middleware);
   EXPECT_NEAR(flight.rows.back().state.odometry.p_WB.z(), spec.plan.references.z,
               0.005);  // settles to 2 % in 2.4 s

@@ -39,6 +39,7 @@ struct DesignConfig {
 };
 
 struct ExperimentConfig {
+  quad_sim::VehicleModel vehicle;         ///< as `simulation` describes it, read once
   quad_sim::SimulationConfig simulation;  ///< sections `vehicle` and `simulation`
   quad_control::TimingConfig timing;
   quad_control::ControlConfig control;

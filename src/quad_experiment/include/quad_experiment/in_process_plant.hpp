@@ -2,8 +2,8 @@
 #pragma once
 
 #include "quad_control/flight_controller.hpp"
+#include "quad_experiment/experiment_config.hpp"
 #include "quad_experiment/plant.hpp"
-#include "quad_sim/simulation_config.hpp"
 #include "quad_sim/simulator.hpp"
 
 namespace quad_experiment {
@@ -12,15 +12,13 @@ namespace quad_experiment {
 class InProcessPlant : public Plant {
  public:
   /// @throws quad_support::ConfigError if the vehicle cannot be simulated or controlled
-  InProcessPlant(const quad_sim::SimulationConfig& simulation,
-                 const quad_control::ControlConfig& control);
+  explicit InProcessPlant(const ExperimentConfig& config);
 
   quad_sim::Measurement begin(const quad_control::FlightPlan& plan) override;
   quad_sim::Measurement advance(const Interval& interval) override;
   std::vector<quad_control::ControlOutput> end() override;
 
  private:
-  quad_sim::VehicleModel vehicle_;
   quad_sim::Simulator simulator_;
   quad_control::FlightController controller_;
   quad_sim::Measurement now_;

@@ -8,6 +8,6 @@ using namespace quad_experiment;
 
 int check(const CheckOptions& options) {
   const ExperimentConfig config = readExperimentConfig(options.config, options.mode);
-  InProcessPlant plant(config.simulation, config.control);  // rotors, inertia, allocation, options
+  InProcessPlant plant(config);  // rotors, inertia, allocation, options
   return quad_support::kDone;
 }

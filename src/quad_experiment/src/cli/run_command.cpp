@@ -45,7 +45,7 @@ int run(const RunOptions& options) {
         options.config + ", or set lockstep");
   }
   quad_support::ResultDirectory results(options.out, options.force);
-  InProcessPlant plant(config.simulation, config.control);
+  InProcessPlant plant(config);
   const ExperimentResult result =
       runExperiment(config, plant, "in_process", results, ProgressLine());
   std::fputs(quad_support::readFile(results.workPath() + "/table.txt").c_str(), stdout);

@@ -26,7 +26,7 @@ int step(const StepOptions& options) {
   spec.end_of_hold = options.duration;
   quad_support::ResultDirectory results(options.out, options.force);
   results.write("config.yaml", toYaml(config));
-  InProcessPlant plant(config.simulation, config.control);
+  InProcessPlant plant(config);
   const Trajectory trajectory = fly(plant, spec, middleware);
   const quad_control::Mixer mixer(quad_control::rotorGeometry(plan.vehicle));
   results.write("trajectory.csv", toCsv(trajectory, mixer, plan.knowledge.feedforward()));
