@@ -7,24 +7,15 @@
 #include "explore_opt/least_squares.hpp"
 #include "explore_opt/set_membership.hpp"
 
+#include "../test/thesis_problem.hpp"
+
 using namespace explore_opt;
+using explore_opt::testing::thesisProblem;
 
 namespace {
 
-ExplorationProblem thesisProblem(int num_samples, Phase phase) {
-  const LinearSystem nominal = altitudeModel(0.6247, 0.1635, 0.0);
-  ExplorationProblem problem;
-  problem.A = nominal.A;
-  problem.B = nominal.B;
-  problem.lines = {num_samples, {3, 6, 8, 10}, {}};
-  problem.phase = phase;
-  problem.gamma_w = 20.0;
-  problem.D_des = Eigen::MatrixXd::Constant(1, 1, 100.0);
-  return problem;
-}
-
 void designGlobal(benchmark::State& state, Phase phase) {
-  const ExplorationProblem problem = thesisProblem(static_cast<int>(state.range(0)), phase);
+  const ExplorationProblem problem = thesisProblem(phase, static_cast<int>(state.range(0)));
   DesignResult result;
   for (auto _ : state) benchmark::DoNotOptimize(result = designExploration(problem));
   state.counters["gap"] = result.gap;
@@ -34,7 +25,7 @@ void designGlobal(benchmark::State& state, Phase phase) {
 void designMm(benchmark::State& state) {
   DesignOptions options;
   options.method = DesignMethod::kMm;
-  const ExplorationProblem problem = thesisProblem(370, Phase::kCos);
+  const ExplorationProblem problem = thesisProblem(Phase::kCos);
   DesignResult result;
   for (auto _ : state) benchmark::DoNotOptimize(result = designExploration(problem, options));
   state.counters["steps"] = static_cast<double>(result.iterations.size() - 1);

@@ -118,18 +118,22 @@ MatrixXd readKnown(const std::string& path) {
   return known + unknown;  // NaN where unknown
 }
 
+/// What both kinds of fit say before the set is judged.
+template <class Fit>
+Verdict startVerdict(const Fit& fit) {
+  Verdict verdict{};
+  verdict.exciting = fit.exciting;
+  verdict.condition = fit.condition;
+  verdict.singular_values = fit.singular_values;
+  verdict.Theta = fit.Theta;
+  verdict.information = fit.information;
+  verdict.residual_energy = fit.residual_energy;
+  return verdict;
+}
+
 Verdict identifyAll(const MatrixXd& X, const MatrixXd& U, const Settings& settings) {
   const LeastSquaresFit fit = fitLeastSquares(X, U);
-  Verdict verdict{fit.exciting,
-                  fit.condition,
-                  fit.singular_values,
-                  fit.Theta,
-                  fit.information,
-                  fit.residual_energy,
-                  0.0,
-                  0.0,
-                  {},
-                  {}};
+  Verdict verdict = startVerdict(fit);
   if (!fit.exciting) return verdict;
   const FeasibleSet set = feasibleSet(fit, settings.gamma_w);
   verdict.G = set.G;
@@ -141,16 +145,8 @@ Verdict identifyAll(const MatrixXd& X, const MatrixXd& U, const Settings& settin
 
 Verdict identifyStructured(const MatrixXd& X, const MatrixXd& U, const Settings& settings) {
   const StructuredFit fit = fitStructured(X, U, readKnown(settings.known));
-  Verdict verdict{fit.exciting,
-                  fit.condition,
-                  fit.singular_values,
-                  fit.Theta,
-                  fit.information,
-                  fit.residual_energy,
-                  0.0,
-                  0.0,
-                  {},
-                  fit.free};
+  Verdict verdict = startVerdict(fit);
+  verdict.free = fit.free;
   if (!fit.exciting) return verdict;
   verdict.G = settings.gamma_w - fit.residual_energy;
   const auto n = fit.root.cols();
