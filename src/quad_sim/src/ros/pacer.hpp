@@ -1,0 +1,46 @@
+/// Runs the physics on a thread of its own while it is unpaused.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <thread>
+
+#include "world_gate.hpp"
+
+namespace quad_sim {
+
+/// Calls run(steps) as often as the clock on the wall asks for, holding the gate, and opens the
+/// gate in between.
+class Pacer {
+ public:
+  using Run = std::function<void(std::int64_t steps)>;
+
+  /// @param step  physics step [s]
+  /// @param real_time_factor  simulated over wall time; 0: as fast as it goes
+  /// @param run   moves the world; a SimulationError it throws is reported and pauses
+  Pacer(WorldGate& gate, double step, double real_time_factor, Run run);
+  ~Pacer();
+
+  double realTimeFactor() const { return real_time_factor_; }
+  bool running() const {
+    return running_;
+  }                               ///< from any thread; certain only while visiting the gate
+  void setRunning(bool running);  ///< from within a visit
+
+ private:
+  void loop();
+  std::int64_t runDue(std::chrono::steady_clock::time_point since, std::int64_t done);
+
+  WorldGate& gate_;
+  double step_, real_time_factor_;
+  Run run_;
+  std::condition_variable changed_;
+  std::atomic<bool> running_{false};  ///< changed under the gate only
+  bool stop_ = false;
+  std::thread thread_;
+};
+
+}  // namespace quad_sim
