@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <nlohmann/json.hpp>
 
 #include "explore_opt/altitude_model.hpp"
@@ -36,6 +37,8 @@ std::vector<double> gaussian(const ExperimentPlan& plan) {
                                                plan.config.seed, 0,
                                                kSignalStream + kGaussianFlight));
 }
+
+const char* nameOf(Flight flight) { return flight == kTargetedFlight ? "targeted" : "random"; }
 
 std::uint64_t holdIntervals(const ExperimentConfig& config) {
   return static_cast<std::uint64_t>(
@@ -137,7 +140,7 @@ FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight
   const double feedforward = plan.knowledge.feedforward();
   const auto begin = std::chrono::steady_clock::now();
   FlightResult result;
-  result.name = flight == kTargetedFlight ? "targeted" : "random";
+  result.name = nameOf(flight);
   result.trajectory = fly(plant, flightSpec(plan, signal, middleware), middleware, progress);
   result.timing = plant.timing();
   result.wall_seconds =
@@ -151,7 +154,39 @@ int ExperimentResult::exitCode() const {
   return ok() ? quad_support::kDone : quad_support::kNegativeAnswer;
 }
 
-ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant,
+namespace {
+
+FlightResult flyAndRecord(const ExperimentPlan& plan, Plant& plant, Flight flight,
+                          const FlightProgress& progress) {
+  FlightResult flown = flyAndJudge(plan, plant, flight, progress);
+  flown.csv =
+      toCsv(flown.trajectory, quad_control::Mixer(quad_control::rotorGeometry(plan.vehicle)),
+            plan.knowledge.feedforward());
+  return flown;
+}
+
+/// What the flights say, targeted first. The random one flies at the same time on the second plant
+/// if there is one: no flight touches what another one reads.
+std::vector<FlightResult> flyAll(const ExperimentPlan& plan, const std::vector<Plant*>& plants,
+                                 const std::function<FlightProgress(Flight)>& progress) {
+  std::future<FlightResult> aside;  // its destructor waits, so the plan outlives the flight
+  if (plan.config.fly_gaussian && plants.size() > 1) {
+    aside = std::async(std::launch::async,
+                       [&] { return flyAndRecord(plan, *plants[1], kGaussianFlight, {}); });
+  }
+  std::vector<FlightResult> flights;
+  flights.push_back(flyAndRecord(plan, *plants[0], kTargetedFlight, progress(kTargetedFlight)));
+  if (aside.valid()) {
+    flights.push_back(aside.get());
+  } else if (plan.config.fly_gaussian) {
+    flights.push_back(flyAndRecord(plan, *plants[0], kGaussianFlight, progress(kGaussianFlight)));
+  }
+  return flights;
+}
+
+}  // namespace
+
+ExperimentResult runExperiment(const ExperimentConfig& config, const std::vector<Plant*>& plants,
                                const std::string& mode, quad_support::ResultDirectory& results,
                                const StatusCallback& status) {
   const auto begin = std::chrono::steady_clock::now();
@@ -168,22 +203,17 @@ ExperimentResult runExperiment(const ExperimentConfig& config, Plant& plant,
   result.mode = mode;
   const double duration =
       config.control.hold_time + config.design.num_samples * config.timing.sampling_period;
-  std::vector<Flight> flights = {kTargetedFlight};
-  if (config.fly_gaussian) flights.push_back(kGaussianFlight);
-  for (const Flight flight : flights) {
-    const std::string name = flight == kTargetedFlight ? "targeted" : "random";
-    result.flights.push_back(flyAndJudge(plan, plant, flight, [&](const quad_sim::Odometry& o) {
+  result.flights = flyAll(plan, plants, [&](Flight flight) {
+    return [&, flight](const quad_sim::Odometry& o) {
       const double time = static_cast<double>(o.time_ns) / 1e9;
-      tell({name, time < config.control.hold_time ? "hold" : "explore", time, duration, o.p_WB.z(),
-            climbRate(o)});
-    }));
-    FlightResult& flown = result.flights.back();
-    flown.csv =
-        toCsv(flown.trajectory, quad_control::Mixer(quad_control::rotorGeometry(plan.vehicle)),
-              plan.knowledge.feedforward());
-    results.write(name + "/trajectory.csv", flown.csv);
+      tell({nameOf(flight), time < config.control.hold_time ? "hold" : "explore", time, duration,
+            o.p_WB.z(), climbRate(o)});
+    };
+  });
+  for (const FlightResult& flown : result.flights) {
+    results.write(flown.name + "/trajectory.csv", flown.csv);
     if (!flown.timing.empty())
-      results.write(name + "/timing.csv", timingCsv(flown.trajectory, flown.timing));
+      results.write(flown.name + "/timing.csv", timingCsv(flown.trajectory, flown.timing));
   }
   result.time = judgeTime(result.targeted().trajectory, config.timing.sampling_period);
   result.delay = judgeDelay(result.targeted().timing);

@@ -21,11 +21,16 @@ ExperimentConfig configOf(const std::string& text) {
   return readExperimentConfig(scratch.path("c.yaml"));
 }
 
-ExperimentResult runInProcess(const ExperimentConfig& config, nlohmann::json* summary = nullptr) {
+enum class Flights { kInTurn, kAtOnce };
+
+ExperimentResult runInProcess(const ExperimentConfig& config, nlohmann::json* summary = nullptr,
+                              Flights flights = Flights::kInTurn) {
   const Scratch scratch;
   quad_support::ResultDirectory results(scratch.path("out"), false);
-  InProcessPlant plant(config);
-  ExperimentResult result = runExperiment(config, plant, "in_process", results);
+  InProcessPlant first(config), second(config);
+  std::vector<Plant*> plants = {&first};
+  if (flights == Flights::kAtOnce) plants.push_back(&second);
+  ExperimentResult result = runExperiment(config, plants, "in_process", results);
   results.commit();
   if (summary)
     *summary = nlohmann::json::parse(quad_support::readFile(scratch.path("out/summary.json")));
@@ -37,6 +42,18 @@ double median(const std::vector<std::map<std::string, double>>& runs, const std:
 }
 
 }  // namespace
+
+TEST(Experiment, FlightsInTurnAndAtOnceGiveTheSameBytes) {
+  const ExperimentConfig config = readExperimentConfig("config/smoke.yaml");
+  const ExperimentResult in_turn = runInProcess(config);
+  const ExperimentResult at_once = runInProcess(config, nullptr, Flights::kAtOnce);
+  ASSERT_EQ(in_turn.flights.size(), 2u);
+  ASSERT_EQ(at_once.flights.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(at_once.flights[i].name, in_turn.flights[i].name);
+    EXPECT_EQ(at_once.flights[i].csv, in_turn.flights[i].csv);
+  }
+}
 
 // The bands are those of single runs, see the references of the table.
 TEST(ThesisExperiment, SeedOneLiesInTheBandsOfSingleRuns) {

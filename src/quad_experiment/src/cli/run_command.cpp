@@ -45,9 +45,9 @@ int run(const RunOptions& options) {
         options.config + ", or set lockstep");
   }
   quad_support::ResultDirectory results(options.out, options.force);
-  InProcessPlant plant(config);
+  InProcessPlant first(config), second(config);  // a world for each flight
   const ExperimentResult result =
-      runExperiment(config, plant, "in_process", results, ProgressLine());
+      runExperiment(config, {&first, &second}, "in_process", results, ProgressLine());
   std::fputs(quad_support::readFile(results.workPath() + "/table.txt").c_str(), stdout);
   results.commit();
   std::printf("results: %s\n", results.path().c_str());

@@ -82,7 +82,7 @@ int fly(ros::NodeHandle& node, const NodeOptions& options, std::string& written)
   plant_options.mode = quad_control::toString(config.timing.mode);
   RosPlant plant(node, plant_options, options.start_timeout);
   StatusTopic topic(node);
-  const ExperimentResult result = runExperiment(config, plant, plant_options.mode, results,
+  const ExperimentResult result = runExperiment(config, {&plant}, plant_options.mode, results,
                                                 [&](const ExperimentStatus& s) { topic(s); });
   results.commit();
   written = results.path();
