@@ -126,6 +126,15 @@ void RigidBody::save(VehicleState& state) const {
   state.v_WB = v_W_ - R * w_B_.cross(com_B_);
 }
 
+void RigidBody::archive(StateArchive& archive) {
+  // Past ODE's setters: dBodySetQuaternion() normalises anew, which moves the last bit. What the getters point to is the
+  // body's own storage.
+  archive(const_cast<dReal*>(dBodyGetPosition(ode_->body)), 3);
+  archive(const_cast<dReal*>(dBodyGetQuaternion(ode_->body)), 4);
+  archive(const_cast<dReal*>(dBodyGetRotation(ode_->body)), 12);
+  for (Vector3d* v : {&v_W_, &L_W_, &v_C_B_, &w_B_, &Pi_B_}) archive(*v);
+}
+
 bool RigidBody::isFinite() const { return ode_->p().allFinite() && v_W_.allFinite() && L_W_.allFinite(); }
 
 namespace {

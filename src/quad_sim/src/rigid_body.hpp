@@ -29,6 +29,8 @@ class RigidBody {
   void restore(const VehicleState& state, const Eigen::Vector3d& momentum_B);
   void save(VehicleState& state) const;  ///< pose and velocity of base_link's origin
 
+  void archive(StateArchive& archive);  ///< pose, momentum and what follows from them, bit for bit
+
   /// Velocities in body axes for the plugins.
   void motion(StepInput& input) const {
     input.v_WC_B = v_C_B_;

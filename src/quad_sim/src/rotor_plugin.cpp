@@ -102,6 +102,10 @@ void RotorPlugin::save(VehicleState& state) const {
   for (std::size_t i = 0; i < rotors_.size(); ++i) state.rotor_speed[i] = rotors_[i].speed;
 }
 
+void RotorPlugin::archive(StateArchive& archive) {
+  for (Rotor& r : rotors_) archive(r.speed);
+}
+
 Vector3d RotorPlugin::momentum() const {
   Vector3d sum = Vector3d::Zero();
   for (const Rotor& r : rotors_) sum += r.speed * r.momentum;

@@ -20,6 +20,7 @@ class RotorPlugin : public Plugin {
   void step(const StepInput& input, StepLoad& load) override;
   void restore(const VehicleState& state) override;
   void save(VehicleState& state) const override;
+  void archive(StateArchive& archive) override;
   Eigen::Vector3d momentum() const override;
 
  private:

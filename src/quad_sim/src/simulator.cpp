@@ -89,6 +89,27 @@ struct Simulator::World {
     body.restore(state, momentum);
   }
 
+  void archive(StateArchive& a) {
+    for (double& w : command) a(w);
+    for (std::int64_t* count : {&counts.accepted, &counts.clamped, &counts.refused, &contact_step}) a(*count);
+    body.archive(a);
+    for (const auto& plugin : plugins) plugin->archive(a);
+  }
+
+  std::vector<double> numbers() {
+    StateArchive out;
+    archive(out);
+    return out.numbers();
+  }
+
+  /// What a saved state must come from to fit.
+  std::string description() const {
+    return fmt::format("{}, {} kg, {} rotors, step {} s, gravity {} m/s^2, {}, {}, ground {}", model.name, shortest(model.mass),
+                       model.rotors.size(), shortest(options.step), shortest(options.gravity),
+                       options.multibody == Multibody::kFolded ? "folded" : "hinged",
+                       options.profile == Profile::kDefault ? "default" : "rotors_compat", options.ground ? "on" : "off");
+  }
+
   void step() {
     StepInput input;
     body.motion(input);
@@ -144,6 +165,40 @@ void Simulator::resetWorld() {
 void Simulator::setState(const VehicleState& state) {
   check(state, world_->model);
   world_->restore(state);
+}
+
+SavedState Simulator::save() const { return {world_->description(), world_->step_count, world_->numbers()}; }
+
+void Simulator::restore(const SavedState& saved) {
+  World& w = *world_;
+  if (saved.simulator != w.description()) {
+    throw quad_support::DataError(fmt::format("saved state: it is of '{}'; this simulator is '{}'", saved.simulator, w.description()));
+  }
+  const std::size_t expected = w.numbers().size();
+  if (saved.numbers.size() != expected) {
+    throw quad_support::DataError(fmt::format("saved state: {} numbers; this simulator has {}", saved.numbers.size(), expected));
+  }
+  StateArchive in(saved.numbers);
+  w.archive(in);
+  w.step_count = saved.step_count;
+}
+
+void Simulator::setPhysics(double step, double gravity) {
+  SimulatorOptions options = world_->options;
+  options.step = step;
+  options.gravity = gravity;
+  auto changed = std::make_unique<World>(world_->model, options);
+  if (timeNanoseconds() % changed->step_ns != 0) {
+    throw std::invalid_argument(fmt::format("time_step = {} s; the present time {} s must be a whole number of it, or be reset to 0",
+                                            shortest(step), shortest(static_cast<double>(timeNanoseconds()) / 1e9)));
+  }
+  changed->start = world_->start;
+  changed->command = world_->command;  // as many entries as the archive hands back
+  changed->step_count = timeNanoseconds() / changed->step_ns;
+  StateArchive in(world_->numbers());
+  changed->archive(in);
+  if (changed->contact_step > 0) changed->contact_step = changed->contact_step * world_->step_ns / changed->step_ns;
+  world_ = std::move(changed);
 }
 
 void Simulator::setCommand(const std::vector<double>& rotor_speeds) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "quad_sim/state_archive.hpp"
 #include "quad_sim/vehicle_model.hpp"
 
 namespace quad_sim {
@@ -35,6 +36,9 @@ class Plugin {
   virtual void restore(const VehicleState& state) = 0;
   /// Writes its part of the state.
   virtual void save(VehicleState& state) const = 0;
+  /// Passes everything the plugin carries from one step to the next through the archive, in a fixed order, whichever
+  /// way it goes: after loading, the plugin continues bit for bit where it was saved. Nothing to do without a memory.
+  virtual void archive(StateArchive& /*archive*/) {}
   /// Angular momentum now of turning parts relative to the body [N m s], body axes.
   virtual Eigen::Vector3d momentum() const { return Eigen::Vector3d::Zero(); }
 };

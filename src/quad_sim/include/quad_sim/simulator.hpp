@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quad_sim/state.hpp"
+#include "quad_sim/state_archive.hpp"
 #include "quad_sim/vehicle_model.hpp"
 
 namespace quad_sim {
@@ -50,6 +51,16 @@ class Simulator {
   void resetWorld();  ///< the same, but time goes on
   /// Puts the vehicle into another state; time, command and counts stay. @throws as setStartState()
   void setState(const VehicleState& state);
+
+  /// Everything that what comes next depends on: body, rotors, other plugins, command, counts, time. The start state is
+  /// not part of it.
+  SavedState save() const;
+  /// Continues bit for bit where `saved` was taken, in this or in another process.
+  /// @throws quad_support::DataError if it is of another vehicle or of other options; nothing has changed then
+  void restore(const SavedState& saved);
+  /// Changes the physics step [s] and gravity [m/s²] in flight. @throws std::invalid_argument as the constructor, or if
+  /// the present time is no whole number of the new step; nothing has changed then
+  void setPhysics(double step, double gravity);
 
   /// Rotor speeds [rad/s], unsigned, by motor number, held from now on; clamped to [0, max_speed] and counted if so.
   /// @throws quad_support::DataError for a wrong length or a value that is not finite; the earlier command stays
