@@ -1,4 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <map>
+#include <string>
 
 #include "cli/commands.hpp"
 #include "quad_support/errors.hpp"
@@ -10,16 +12,18 @@ int run(int argc, char** argv) {
   CLI::App app("Targeted exploration of linear systems under energy-bounded disturbances",
                "explore_opt");
   app.require_subcommand(1);
-  app.footer("explore_opt design --help and explore_opt identify --help show an example each.");
-  const auto design = explore_opt::addDesignCommand(app);
-  const auto identify = explore_opt::addIdentifyCommand(app);
+  app.footer("The --help of each subcommand shows an example that runs.");
+  const std::map<std::string, explore_opt::Action> actions = {
+      {"design", explore_opt::addDesignCommand(app)},
+      {"baselines", explore_opt::addBaselinesCommand(app)},
+      {"identify", explore_opt::addIdentifyCommand(app)}};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help
     throw quad_support::DataError(std::string(e.what()) + " (explore_opt --help tells more)");
   }
-  return app.got_subcommand("design") ? design() : identify();
+  return actions.at(app.get_subcommands().front()->get_name())();
 }
 
 }  // namespace

@@ -8,6 +8,7 @@ namespace explore_opt {
 
 using Action = std::function<int()>;  ///< exit code, see quad_support/errors.hpp
 
+Action addBaselinesCommand(CLI::App& app);
 Action addDesignCommand(CLI::App& app);
 Action addIdentifyCommand(CLI::App& app);
 

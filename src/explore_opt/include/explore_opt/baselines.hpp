@@ -1,0 +1,39 @@
+/// What other signals must cost to meet the condition a design meets.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "explore_opt/exploration_design.hpp"
+
+namespace explore_opt {
+
+struct BaselineOptions {
+  int seeds = 20;          ///< of each random signal
+  std::uint64_t seed = 1;  ///< the first of them, and of the designs
+  double band_low = 0.0,
+         band_high =
+             0.0;  ///< [cycles per sample]; both 0: from the problem's lowest to its highest line
+};
+
+/// A signal scaled so that the noise-free response of the nominal system just meets the condition.
+struct BaselineCost {
+  std::string name;
+  std::string note;   ///< what was chosen: band, line, hold
+  int seeds = 1;      ///< tried
+  int failed = 0;     ///< of them excite too little at any size; their cost is infinite
+  double cost = 0.0;  ///< sqrt(2 Σ‖e_k‖²/T), comparable with γ_e; median over the seeds
+  double least = 0.0, largest = 0.0;
+  double peak = 0.0;  ///< max_k ‖e_k‖ of the median's signal; infinite if the cost is
+};
+
+/// The targeted design first ("targeted"), then the classical designs and the signals of
+/// baseline_signals.hpp: white, band_limited, prbs (its best hold), chirp, multisine and
+/// random_phase on the problem's lines, and the cheapest single line.
+/// @param amplitudes  of the targeted design, carriers x n_u
+/// @throws quad_support::DataError for a problem or an option out of range
+std::vector<BaselineCost> compareBaselines(const ExplorationProblem& problem,
+                                           const Eigen::MatrixXd& amplitudes,
+                                           const BaselineOptions& options = {});
+
+}  // namespace explore_opt

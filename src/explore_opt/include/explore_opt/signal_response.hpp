@@ -1,0 +1,28 @@
+/// What the nominal system does under any given signal, and what that signal must cost.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "explore_opt/exploration_problem.hpp"
+
+namespace explore_opt {
+
+/// The noise-free experiment: states x_0 ... x_T, n_x x (T+1), and inputs u_k = K x_k + e_k,
+/// n_u x T.
+struct NominalExperiment {
+  Eigen::MatrixXd X, U;
+};
+
+/// Simulates the nominal system from x0 under a signal. @param signal  e_0 ... e_{T-1}, n_u x T
+/// @throws quad_support::DataError: wrong shape, or the states overflow (names the sample)
+NominalExperiment simulateNominal(const ExplorationProblem& problem, const Eigen::MatrixXd& signal);
+
+/// Smallest factor s with which s·signal meets the data condition P_θ⁻¹ ⪰ γ_w D_des, by simulation;
+/// infinite if no factor does. For a start away from rest: the smallest beyond which the condition
+/// holds throughout, found from above.
+double requiredScale(const ExplorationProblem& problem, const Eigen::MatrixXd& signal);
+
+/// sqrt(2 Σ‖e_k‖²/T): the norm ‖a‖ of a multisine on the grid of the same energy.
+double equivalentAmplitude(const Eigen::MatrixXd& signal);
+
+}  // namespace explore_opt

@@ -1,0 +1,109 @@
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "explore_opt/baselines.hpp"
+#include "explore_opt/design_json.hpp"
+#include "quad_support/atomic_file.hpp"
+#include "quad_support/errors.hpp"
+
+namespace explore_opt {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* kHelp = R"(Example:
+  echo '{"A": [[1, 0.1635], [0, 1]], "B": [[0.0214], [0.2617]], "T": 370, "harmonics": [3, 6, 8, 10],
+         "phase": "sin", "gamma_w": 20, "D_des": 100}' > problem.json
+  explore_opt baselines problem.json --seeds 5 --out baselines.json
+Every signal is scaled until the noise-free response of the nominal system meets the condition; cost is
+sqrt(2 energy/T), comparable with gamma_e. Random ones: median of the seeds. The table goes to standard output with --out,
+else to standard error, and the JSON to standard output.
+Exit code 0: done; 3: there is no targeted design to compare with; 2: bad input.)";
+
+struct Settings {
+  std::string problem, design, out;
+  std::vector<double> band;
+  BaselineOptions options;
+};
+
+ordered_json numberOrNull(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json toJson(const BaselineCost& row, double targeted) {
+  return {{"name", row.name},
+          {"note", row.note},
+          {"cost", numberOrNull(row.cost)},
+          {"ratio", numberOrNull(row.cost / targeted)},
+          {"least", numberOrNull(row.least)},
+          {"largest", numberOrNull(row.largest)},
+          {"peak", numberOrNull(row.peak)},
+          {"seeds", row.seeds},
+          {"not_exciting", row.failed}};
+}
+
+std::string table(const std::vector<BaselineCost>& rows) {
+  std::string text = fmt::format("{:<14}{:>12}{:>9}{:>12}{:>12}{:>12}  {}\n", "signal", "cost",
+                                 "ratio", "least", "largest", "peak", "");
+  for (const BaselineCost& row : rows) {
+    text +=
+        fmt::format("{:<14}{:>12.5g}{:>9.3f}{:>12.5g}{:>12.5g}{:>12.5g}  {}\n", row.name, row.cost,
+                    row.cost / rows.front().cost, row.least, row.largest, row.peak, row.note);
+  }
+  return text;
+}
+
+int compare(const Settings& settings) {
+  const ExplorationProblem problem =
+      problemFromJson(quad_support::readFile(settings.problem), settings.problem);
+  BaselineOptions options = settings.options;
+  if (!settings.band.empty()) {
+    options.band_low = settings.band.front();
+    options.band_high = settings.band.back();
+  }
+  DesignOptions design_options;
+  design_options.seed = options.seed;
+  const DesignResult design = designExploration(problem, design_options);
+  if (!design.feasible()) {
+    std::fprintf(stderr, "explore_opt: %s: %s: %s\n", settings.problem.c_str(),
+                 toString(design.status).c_str(), design.message.c_str());
+    return quad_support::kNegativeAnswer;
+  }
+  const auto rows = compareBaselines(problem, design.amplitudes, options);
+  ordered_json out = {{"gamma_e", design.gamma_e},
+                      {"lower_bound", design.lower_bound},
+                      {"gap", design.gap},
+                      {"signals", ordered_json::array()}};
+  for (const BaselineCost& row : rows) out["signals"].push_back(toJson(row, rows.front().cost));
+  writeAnswer(settings.out, prettyJson(out));
+  std::fputs(table(rows).c_str(), settings.out.empty() ? stderr : stdout);
+  return quad_support::kDone;
+}
+
+}  // namespace
+
+Action addBaselinesCommand(CLI::App& app) {
+  const auto settings = std::make_shared<Settings>();
+  CLI::App* command = app.add_subcommand(
+      "baselines", "What noise, PRBS, chirp, multisines and classical designs must cost instead");
+  command->footer(kHelp);
+  command->add_option("problem", settings->problem, "Problem in JSON")->required();
+  command->add_option("--out", settings->out, "File for the answer; default: standard output");
+  command->add_option("--seeds", settings->options.seeds, "Draws of each random signal")
+      ->capture_default_str();
+  command->add_option("--seed", settings->options.seed, "Of the random signals and starts")
+      ->capture_default_str();
+  command
+      ->add_option("--band", settings->band,
+                   "LOW HIGH [cycles per sample] of band_limited and chirp; default: from the "
+                   "lowest line to the highest")
+      ->expected(2);
+  return [settings] { return compare(*settings); };
+}
+
+}  // namespace explore_opt

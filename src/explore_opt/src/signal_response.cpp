@@ -1,0 +1,119 @@
+#include "explore_opt/signal_response.hpp"
+
+#include <Eigen/QR>
+#include <limits>
+
+#include "checks.hpp"
+#include "explore_opt/set_membership.hpp"
+#include "quad_support/linear_algebra.hpp"
+
+namespace explore_opt {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLargestCondition = 1e10;  // of the scaled regressor, as in least squares
+
+MatrixXd regressor(const ExplorationProblem& problem, const MatrixXd& signal) {
+  const NominalExperiment experiment = simulateNominal(problem, signal);
+  MatrixXd phi(problem.numRegressors(), signal.cols());
+  phi << experiment.X.leftCols(signal.cols()), experiment.U;
+  return phi;
+}
+
+/// Triangle R with RᵀR = M Mᵀ of a wide matrix.
+MatrixXd rootOf(const MatrixXd& wide) {
+  if (wide.cols() < wide.rows()) return MatrixXd::Zero(wide.rows(), wide.rows());
+  const Eigen::HouseholderQR<MatrixXd> qr(wide.transpose());
+  return qr.matrixQR().topRows(wide.rows()).triangularView<Eigen::Upper>();
+}
+
+/// Largest G with RᵀR ⊗ I ⪰ G D_des; 0 if R is singular.
+double marginOf(const ExplorationProblem& problem, const MatrixXd& root) {
+  const VectorXd lengths = root.colwise().norm();
+  if (!(lengths.minCoeff() > 0.0) || !lengths.allFinite()) return 0.0;
+  const VectorXd sigma = quad_support::singularValues(root * lengths.cwiseInverse().asDiagonal());
+  if (!(sigma(0) <= kLargestCondition * sigma(sigma.size() - 1))) return 0.0;
+  FeasibleSet set;
+  set.center = MatrixXd::Zero(problem.numStates(), problem.numRegressors());
+  set.root = root;
+  const double least = quad_support::singularValues(root).tail(1)(0);
+  set.lambda_min_S = least * least;
+  return informationMargin(set, problem.D_des);
+}
+
+/// Triangle of a QR of [Φ_0; Φ_1]ᵀ, whose sums stand for those of the T-long regressors.
+struct AffineRegressor {
+  MatrixXd free, forced;  ///< answer to x0 alone, and to the signal alone
+  MatrixXd root(double scale) const { return rootOf((free + scale * forced).transpose()); }
+};
+
+AffineRegressor affineRegressor(const ExplorationProblem& problem, const MatrixXd& signal) {
+  const Index n = problem.numRegressors();
+  ExplorationProblem from_rest = problem;
+  from_rest.x0 = VectorXd();
+  MatrixXd both(2 * n, signal.cols());
+  both << regressor(problem, MatrixXd::Zero(signal.rows(), signal.cols())),
+      regressor(from_rest, signal);
+  if (signal.cols() <= 2 * n) return {both.topRows(n).transpose(), both.bottomRows(n).transpose()};
+  const MatrixXd R = rootOf(both);
+  return {R.leftCols(n), R.rightCols(n)};
+}
+
+/// Bisection between a factor that meets the condition and one that does not.
+double scaleFromAbove(const ExplorationProblem& problem, const AffineRegressor& affine) {
+  const auto meets = [&](double s) { return marginOf(problem, affine.root(s)) >= problem.gamma_w; };
+  double high = 1.0;
+  while (!meets(high)) {
+    high *= 2.0;
+    if (high > 1e150) return kInfinity;
+  }
+  double low = high;
+  while (meets(low)) {
+    high = low;
+    low /= 2.0;
+    if (low < 1e-150) return 0.0;  // x0 alone excites enough
+  }
+  while (high - low > 1e-12 * high) {
+    const double middle = 0.5 * (low + high);
+    (meets(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
+NominalExperiment simulateNominal(const ExplorationProblem& problem,
+                                  const Eigen::MatrixXd& signal) {
+  const int nx = problem.numStates(), nu = problem.numInputs();
+  requireShape(signal, nu, problem.lines.num_samples, "signal");
+  requireFinite(signal, "signal");
+  NominalExperiment run{MatrixXd(nx, signal.cols() + 1), signal};
+  run.X.col(0) = problem.x0.size() > 0 ? problem.x0 : VectorXd(VectorXd::Zero(nx));
+  for (Index k = 0; k < signal.cols(); ++k) {
+    if (problem.K.size() > 0) run.U.col(k) += problem.K * run.X.col(k);
+    run.X.col(k + 1) = problem.A * run.X.col(k) + problem.B * run.U.col(k);
+    require(run.X.col(k + 1).allFinite(),
+            "the predicted states overflow at sample {} of {}: A grows too fast. Stabilise with K "
+            "or shorten T",
+            k + 1, signal.cols());
+  }
+  return run;
+}
+
+double requiredScale(const ExplorationProblem& problem, const Eigen::MatrixXd& signal) {
+  validate(problem);
+  if (problem.x0.size() > 0 && !problem.x0.isZero(0.0))
+    return scaleFromAbove(problem, affineRegressor(problem, signal));
+  const double margin = marginOf(problem, rootOf(regressor(problem, signal)));
+  return margin > 0.0 ? std::sqrt(problem.gamma_w / margin) : kInfinity;  // degree 2
+}
+
+double equivalentAmplitude(const Eigen::MatrixXd& signal) {
+  return std::sqrt(2.0 * signalEnergy(signal) / static_cast<double>(signal.cols()));
+}
+
+}  // namespace explore_opt
