@@ -115,6 +115,8 @@ void RigidBody::restore(const VehicleState& state, const Vector3d& momentum_B) {
   v_W_ = state.v_WB + R * state.w_WB_B.cross(com_B_);
   L_W_ = R * (inertia_ * state.w_WB_B + momentum_B);
   refreshBodyRates(momentum_B);
+  v_before_W_ = v_W_;
+  w_before_B_ = w_B_;
 }
 
 void RigidBody::save(VehicleState& state) const {
@@ -132,7 +134,21 @@ void RigidBody::archive(StateArchive& archive) {
   archive(const_cast<dReal*>(dBodyGetPosition(ode_->body)), 3);
   archive(const_cast<dReal*>(dBodyGetQuaternion(ode_->body)), 4);
   archive(const_cast<dReal*>(dBodyGetRotation(ode_->body)), 12);
-  for (Vector3d* v : {&v_W_, &L_W_, &v_C_B_, &w_B_, &Pi_B_}) archive(*v);
+  for (Vector3d* v : {&v_W_, &L_W_, &v_C_B_, &w_B_, &Pi_B_, &v_before_W_, &w_before_B_}) archive(*v);
+}
+
+void RigidBody::motion(StepInput& input) const {
+  input.v_WC_B = v_C_B_;
+  input.w_WB_B = w_B_;
+  input.p_WC = ode_->p();
+  input.R_WB = ode_->R();
+}
+
+Vector3d RigidBody::specificForce(const Vector3d& r_C) const {
+  // a_P = a_C + alpha x r + w x (w x r), with means over the step for the first two and the rate at its end for the third.
+  const Vector3d a_W = (v_W_ - v_before_W_) / h_ + Vector3d(0, 0, gravity_);
+  const Vector3d alpha = (w_B_ - w_before_B_) / h_;
+  return ode_->R().transpose() * a_W + alpha.cross(r_C) + w_B_.cross(w_B_.cross(r_C));
 }
 
 bool RigidBody::isFinite() const { return ode_->p().allFinite() && v_W_.allFinite() && L_W_.allFinite(); }
@@ -171,6 +187,8 @@ void RigidBody::checkRate(const Vector3d& w) const {
 
 bool RigidBody::step(const StepLoad& load) {
   const Matrix3d R = ode_->R();
+  v_before_W_ = v_W_;
+  w_before_B_ = w_B_;
   if (reach_ >= 0 && ode_->position[2] < reach_ && collide(R) > 0) {
     stepInContact(R, load);
     return true;

@@ -31,11 +31,10 @@ class RigidBody {
 
   void archive(StateArchive& archive);  ///< pose, momentum and what follows from them, bit for bit
 
-  /// Velocities in body axes for the plugins.
-  void motion(StepInput& input) const {
-    input.v_WC_B = v_C_B_;
-    input.w_WB_B = w_B_;
-  }
+  /// Velocities in body axes for the plugins, and the pose.
+  void motion(StepInput& input) const;
+  /// Specific force [m/s²], body axes, at r_C from the centre of mass (body axes): its mean over the last step.
+  Eigen::Vector3d specificForce(const Eigen::Vector3d& r_C) const;
   /// One physics step under the load. Returns whether the body touched the ground.
   /// @throws quad_support::SimulationError if the body turns by more than a radian in the step
   bool step(const StepLoad& load);
@@ -59,6 +58,7 @@ class RigidBody {
   std::vector<CollisionBox> boxes_;
   Eigen::Vector3d v_W_, L_W_;                        ///< of C; angular momentum about C
   Eigen::Vector3d v_C_B_, w_B_, Pi_B_;  ///< velocity, rate and angular momentum of the same instant in body axes
+  Eigen::Vector3d v_before_W_, w_before_B_;  ///< at the start of the last step
   std::unique_ptr<Ode> ode_;
 };
 

@@ -20,23 +20,28 @@ std::int64_t wholeNanoseconds(double seconds) {
   constexpr double kMaxStep = 1.0;  // [s]; slower than any rotor or attitude motion by far
   const double ns = seconds * 1e9;
   const double whole = std::round(ns);
-  // A decimal text such as 0.001 is off by up to 1e-16 relative; anything more is not what was meant.
+  // A decimal text such as 0.001 is off by up to 1e-16 relative; anything more is not what was
+  // meant.
   if (!(seconds > 0) || seconds > kMaxStep || std::abs(ns - whole) > 1e-6 || whole < 1) {
-    throw std::invalid_argument(fmt::format("simulation.step = {} s; must be a whole number of nanoseconds in (0, {}] s",
-                                            shortest(seconds), shortest(kMaxStep)));
+    throw std::invalid_argument(
+        fmt::format("simulation.step = {} s; must be a whole number of nanoseconds in (0, {}] s",
+                    shortest(seconds), shortest(kMaxStep)));
   }
   return static_cast<std::int64_t>(whole);
 }
 
 void check(const SimulatorOptions& options) {
   if (!(options.gravity >= 0) || !std::isfinite(options.gravity)) {
-    throw std::invalid_argument(fmt::format("simulation.gravity = {} m/s^2; must be >= 0", shortest(options.gravity)));
+    throw std::invalid_argument(
+        fmt::format("simulation.gravity = {} m/s^2; must be >= 0", shortest(options.gravity)));
   }
   if (options.multibody != Multibody::kFolded) {
-    throw std::invalid_argument("simulation.multibody = hinged; is not available in this version; use folded");
+    throw std::invalid_argument(
+        "simulation.multibody = hinged; is not available in this version; use folded");
   }
   if (options.profile != Profile::kDefault) {
-    throw std::invalid_argument("simulation.profile = rotors_compat; is not available in this version; use default");
+    throw std::invalid_argument(
+        "simulation.profile = rotors_compat; is not available in this version; use default");
   }
 }
 
@@ -45,16 +50,19 @@ void check(const VehicleState& state, const VehicleModel& model) {
       !state.q_WB.coeffs().allFinite()) {
     throw std::invalid_argument("vehicle state: every number must be finite");
   }
-  if (!(state.q_WB.norm() > 1e-6)) throw std::invalid_argument("vehicle state: the quaternion must not be zero");
+  if (!(state.q_WB.norm() > 1e-6))
+    throw std::invalid_argument("vehicle state: the quaternion must not be zero");
   if (state.rotor_speed.size() != model.rotors.size()) {
-    throw std::invalid_argument(fmt::format("vehicle state: {} rotor speeds; the vehicle has {} rotors",
-                                            state.rotor_speed.size(), model.rotors.size()));
+    throw std::invalid_argument(
+        fmt::format("vehicle state: {} rotor speeds; the vehicle has {} rotors",
+                    state.rotor_speed.size(), model.rotors.size()));
   }
   for (std::size_t i = 0; i < model.rotors.size(); ++i) {
     const double w = state.rotor_speed[i];
     if (!(w >= 0) || w > model.rotors[i].max_speed) {
-      throw std::invalid_argument(fmt::format("vehicle state: rotor_speed[{}] = {} rad/s; must lie in [0, {}]", i,
-                                              shortest(w), shortest(model.rotors[i].max_speed)));
+      throw std::invalid_argument(
+          fmt::format("vehicle state: rotor_speed[{}] = {} rad/s; must lie in [0, {}]", i,
+                      shortest(w), shortest(model.rotors[i].max_speed)));
     }
   }
 }
@@ -77,8 +85,14 @@ struct Simulator::World {
       : model(m),
         options((check(o), o)),
         step_ns(wholeNanoseconds(o.step)),
-        plugins(makePlugins(m, static_cast<double>(step_ns) * 1e-9)),
-        body(m, static_cast<double>(step_ns) * 1e-9, o.gravity, o.ground) {}
+        plugins(makePlugins(
+            m, {static_cast<double>(step_ns) * 1e-9, o.gravity, o.seed, o.allQuirks()})),
+        body(m, static_cast<double>(step_ns) * 1e-9, o.gravity, o.ground) {
+    for (const auto& plugin : plugins) {
+      if (plugin->movesAir()) air.push_back(plugin.get());
+    }
+    setWind(Vector3d::Zero());
+  }
 
   void restore(const VehicleState& state) {
     Vector3d momentum = Vector3d::Zero();
@@ -92,6 +106,9 @@ struct Simulator::World {
   void archive(StateArchive& a) {
     for (double& w : command) a(w);
     for (std::int64_t* count : {&counts.accepted, &counts.clamped, &counts.refused, &contact_step}) a(*count);
+    a(outside_wind);
+    a(wind);
+    windy = !air.empty() || outside_wind != Vector3d::Zero();
     body.archive(a);
     for (const auto& plugin : plugins) plugin->archive(a);
   }
@@ -104,26 +121,44 @@ struct Simulator::World {
 
   /// What a saved state must come from to fit.
   std::string description() const {
-    return fmt::format("{}, {} kg, {} rotors, step {} s, gravity {} m/s^2, {}, {}, ground {}", model.name, shortest(model.mass),
+    return fmt::format("{}, {} kg, {} rotors, step {} s, gravity {} m/s^2, {}, {}, ground {}, seed {}", model.name, shortest(model.mass),
                        model.rotors.size(), shortest(options.step), shortest(options.gravity),
                        options.multibody == Multibody::kFolded ? "folded" : "hinged",
-                       options.profile == Profile::kDefault ? "default" : "rotors_compat", options.ground ? "on" : "off");
+                       options.profile == Profile::kDefault ? "default" : "rotors_compat", options.ground ? "on" : "off", options.seed);
   }
 
   void step() {
     StepInput input;
     body.motion(input);
     input.command = command.data();
+    input.step = step_count;
+    input.time = static_cast<double>(step_count * step_ns) * 1e-9;
+    if (windy) blow(input);
     StepLoad load{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
     for (const auto& plugin : plugins) plugin->step(input, load);
     if (body.step(load) && contact_step < 0) contact_step = step_count + 1;
     ++step_count;
   }
 
+  /// From here on the plugins see the motion through the air.
+  void blow(StepInput& input) {
+    wind = outside_wind;
+    for (Plugin* plugin : air) plugin->addWind(input, wind);
+    input.v_WC_B -= input.R_WB.transpose() * wind;
+  }
+
+  void setWind(const Vector3d& wind_W) {
+    outside_wind = wind = wind_W;
+    windy = !air.empty() || wind_W != Vector3d::Zero();
+  }
+
   VehicleModel model;
   SimulatorOptions options;
   std::int64_t step_ns;
   std::vector<std::unique_ptr<Plugin>> plugins;
+  std::vector<Plugin*> air;  ///< those that move it
+  Vector3d outside_wind = Vector3d::Zero(), wind = Vector3d::Zero();
+  bool windy = false;
   RigidBody body;
   VehicleState start;
   std::vector<double> command;
@@ -157,6 +192,7 @@ void Simulator::reset() {
 void Simulator::resetWorld() {
   World& w = *world_;
   w.command = w.start.rotor_speed;
+  w.setWind(Vector3d::Zero());
   w.counts = {};
   w.contact_step = -1;
   w.restore(w.start);
@@ -203,12 +239,14 @@ void Simulator::setPhysics(double step, double gravity) {
 
 void Simulator::setCommand(const std::vector<double>& rotor_speeds) {
   World& w = *world_;
-  const bool finite = std::all_of(rotor_speeds.begin(), rotor_speeds.end(), [](double x) { return std::isfinite(x); });
+  const bool finite = std::all_of(rotor_speeds.begin(), rotor_speeds.end(),
+                                  [](double x) { return std::isfinite(x); });
   if (rotor_speeds.size() != w.command.size() || !finite) {
     ++w.counts.refused;
-    throw quad_support::DataError(finite ? fmt::format("command: {} rotor speeds; the vehicle has {} rotors",
-                                                       rotor_speeds.size(), w.command.size())
-                                         : "command: a rotor speed is not a finite number");
+    throw quad_support::DataError(
+        finite ? fmt::format("command: {} rotor speeds; the vehicle has {} rotors",
+                             rotor_speeds.size(), w.command.size())
+               : "command: a rotor speed is not a finite number");
   }
   bool clamped = false;
   for (std::size_t i = 0; i < rotor_speeds.size(); ++i) {
@@ -232,8 +270,9 @@ void Simulator::advance(int steps) {
   } catch (const quad_support::SimulationError& e) {
     problem = e.what();
   }
-  throw quad_support::SimulationError(fmt::format("diverged: {} at {} s of simulated time", problem,
-                                                  shortest(static_cast<double>(timeNanoseconds()) / 1e9)));
+  throw quad_support::SimulationError(
+      fmt::format("diverged: {} at {} s of simulated time", problem,
+                  shortest(static_cast<double>(timeNanoseconds()) / 1e9)));
 }
 
 std::int64_t Simulator::stepCount() const { return world_->step_count; }
@@ -268,7 +307,8 @@ Measurement Simulator::measure() const {
 
 Odometry Simulator::odometry(const SensorModel& sensor) const {
   Odometry at = measure().odometry;
-  if (sensor.X_BS.isApprox(Eigen::Isometry3d::Identity(), 0.0)) return at;  // the very bits of measure()
+  if (sensor.X_BS.isApprox(Eigen::Isometry3d::Identity(), 0.0))
+    return at;  // the very bits of measure()
   const Vector3d r_B = sensor.X_BS.translation();
   const Eigen::Quaterniond q_BS(sensor.X_BS.linear());
   at.p_WB += at.q_WB * r_B;
@@ -277,6 +317,19 @@ Odometry Simulator::odometry(const SensorModel& sensor) const {
   at.q_WB = (at.q_WB * q_BS).normalized();
   return at;
 }
+
+Vector3d Simulator::specificForce(const SensorModel& sensor) const {
+  const Vector3d r_C = sensor.X_BS.translation() - world_->model.com_B;
+  return sensor.X_BS.linear().transpose() * world_->body.specificForce(r_C);
+}
+
+void Simulator::setWind(const Vector3d& wind_W) {
+  if (!wind_W.allFinite())
+    throw std::invalid_argument("wind: every component must be a finite number of m/s");
+  world_->setWind(wind_W);
+}
+
+Vector3d Simulator::wind() const { return world_->wind; }
 
 bool Simulator::groundContact() const { return world_->contact_step >= 0; }
 

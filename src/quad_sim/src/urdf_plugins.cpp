@@ -15,14 +15,18 @@ using tinyxml2::XMLElement;
 std::string trimmed(const char* text) {
   const std::string all = text ? text : "";
   const auto first = all.find_first_not_of(" \t\r\n");
-  return first == std::string::npos ? "" : all.substr(first, all.find_last_not_of(" \t\r\n") - first + 1);
+  return first == std::string::npos
+             ? ""
+             : all.substr(first, all.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-const XMLElement& parse(tinyxml2::XMLDocument& document, const std::string& text, const std::string& file) {
+const XMLElement& parse(tinyxml2::XMLDocument& document, const std::string& text,
+                        const std::string& file) {
   document.Parse(text.data(), text.size());
   if (document.Error()) {
-    throw quad_support::ConfigError(fmt::format("{}:{}: not valid XML: {}", file, document.ErrorLineNum(),
-                                                tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID())));
+    throw quad_support::ConfigError(
+        fmt::format("{}:{}: not valid XML: {}", file, document.ErrorLineNum(),
+                    tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID())));
   }
   const XMLElement* robot = document.FirstChildElement("robot");
   if (!robot) throw quad_support::ConfigError(fmt::format("{}: no <robot> element", file));
@@ -36,27 +40,31 @@ PluginDeclaration toDeclaration(const XMLElement& element, const std::string& fi
   plugin.name = name ? name : "";
   const char* filename = element.Attribute("filename");
   if (!filename) {
-    throw quad_support::ConfigError(fmt::format("{}: plugin '{}' has no filename", plugin.where, plugin.name));
+    throw quad_support::ConfigError(
+        fmt::format("{}: plugin '{}' has no filename", plugin.where, plugin.name));
   }
   plugin.filename = filename;
   for (const XMLElement* tag = element.FirstChildElement(); tag; tag = tag->NextSiblingElement()) {
     if (!plugin.tags.emplace(tag->Name(), trimmed(tag->GetText())).second) {
-      throw quad_support::ConfigError(fmt::format("{}:{}: plugin '{}' has <{}> twice; remove one", file,
-                                                  tag->GetLineNum(), plugin.name, tag->Name()));
+      throw quad_support::ConfigError(fmt::format("{}:{}: plugin '{}' has <{}> twice; remove one",
+                                                  file, tag->GetLineNum(), plugin.name,
+                                                  tag->Name()));
     }
   }
   return plugin;
 }
 
-/// The number in an attribute of an inertial; `label` is what messages call it. Attributes left out are urdfdom's to find.
+/// The number in an attribute of an inertial; `label` is what messages call it. Attributes left out
+/// are urdfdom's to find.
 void checkNumber(const XMLElement* element, const char* attribute, const char* label, bool positive,
                  const std::string& file, const std::string& link) {
   const char* const raw = element ? element->Attribute(attribute) : nullptr;
   if (!raw) return;
   const std::string text = trimmed(raw);
   const auto fail = [&](const char* unit, const char* limit) {
-    throw quad_support::ConfigError(fmt::format("{}:{}: link '{}': {} = {}{}; must be {}", file, element->GetLineNum(),
-                                                link, label, text, unit, limit));
+    throw quad_support::ConfigError(fmt::format("{}:{}: link '{}': {} = {}{}; must be {}", file,
+                                                element->GetLineNum(), link, label, text, unit,
+                                                limit));
   };
   double value = 0;
   try {
@@ -73,7 +81,8 @@ void checkNumber(const XMLElement* element, const char* attribute, const char* l
 void checkInertials(const std::string& urdf_text, const std::string& file) {
   tinyxml2::XMLDocument document;
   const XMLElement& robot = parse(document, urdf_text, file);
-  for (const XMLElement* link = robot.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
+  for (const XMLElement* link = robot.FirstChildElement("link"); link;
+       link = link->NextSiblingElement("link")) {
     const XMLElement* const inertial = link->FirstChildElement("inertial");
     if (!inertial) continue;
     const char* const attribute = link->Attribute("name");
@@ -85,14 +94,28 @@ void checkInertials(const std::string& urdf_text, const std::string& file) {
   }
 }
 
+namespace {
+
+void appendPlugins(const XMLElement& parent, const std::string& file,
+                   std::vector<PluginDeclaration>& plugins) {
+  for (const XMLElement* p = parent.FirstChildElement("plugin"); p;
+       p = p->NextSiblingElement("plugin")) {
+    plugins.push_back(toDeclaration(*p, file));
+  }
+}
+
+}  // namespace
+
 std::vector<PluginDeclaration> readPlugins(const std::string& urdf_text, const std::string& file) {
   tinyxml2::XMLDocument document;
   const XMLElement& robot = parse(document, urdf_text, file);
   std::vector<PluginDeclaration> plugins;
-  for (const XMLElement* g = robot.FirstChildElement("gazebo"); g; g = g->NextSiblingElement("gazebo")) {
-    for (const XMLElement* p = g->FirstChildElement("plugin"); p; p = p->NextSiblingElement("plugin")) {
-      plugins.push_back(toDeclaration(*p, file));
-    }
+  for (const XMLElement* g = robot.FirstChildElement("gazebo"); g;
+       g = g->NextSiblingElement("gazebo")) {
+    appendPlugins(*g, file, plugins);
+    for (const XMLElement* s = g->FirstChildElement("sensor"); s;
+         s = s->NextSiblingElement("sensor"))
+      appendPlugins(*s, file, plugins);
   }
   return plugins;
 }
@@ -101,7 +124,8 @@ std::string locate(const std::string& urdf_text, const std::string& file, const 
                    const std::string& name) {
   tinyxml2::XMLDocument document;
   const XMLElement& robot = parse(document, urdf_text, file);
-  for (const XMLElement* e = robot.FirstChildElement(tag.c_str()); e; e = e->NextSiblingElement(tag.c_str())) {
+  for (const XMLElement* e = robot.FirstChildElement(tag.c_str()); e;
+       e = e->NextSiblingElement(tag.c_str())) {
     if (e->Attribute("name", name.c_str())) return fmt::format("{}:{}", file, e->GetLineNum());
   }
   return file;

@@ -39,7 +39,7 @@ struct UrdfTree {
 /// @throws quad_support::ConfigError with urdfdom's complaint
 UrdfTree readTree(const std::string& urdf_text, const std::string& file);
 
-/// Reads the `<gazebo><plugin>` elements (tinyxml2), which urdfdom skips. @throws quad_support::ConfigError
+/// Reads the `<gazebo><plugin>` and `<gazebo><sensor><plugin>` elements (tinyxml2), which urdfdom skips. @throws quad_support::ConfigError
 std::vector<PluginDeclaration> readPlugins(const std::string& urdf_text, const std::string& file);
 
 /// Checks that the mass and the inertia of every link are finite numbers and the mass is positive. To be called before

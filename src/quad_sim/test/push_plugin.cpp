@@ -5,7 +5,8 @@ namespace {
 
 class PushPlugin : public quad_sim::Plugin {
  public:
-  explicit PushPlugin(double force) : force_(force) {}
+  PushPlugin(const quad_sim::VehicleModel& model, const quad_sim::WorldSettings&)
+      : force_(model.plugins.back().number("force")) {}
   void step(const quad_sim::StepInput&, quad_sim::StepLoad& load) override { load.force_B.y() += force_; }
   void restore(const quad_sim::VehicleState&) override {}
   void save(quad_sim::VehicleState&) const override {}
@@ -16,6 +17,4 @@ class PushPlugin : public quad_sim::Plugin {
 
 }  // namespace
 
-extern "C" quad_sim::Plugin* quad_sim_make_plugin(const quad_sim::VehicleModel& model, double) {
-  return new PushPlugin(model.plugins.back().number("force"));
-}
+QUAD_SIM_REGISTER_PLUGIN(PushPlugin)

@@ -280,6 +280,55 @@ TEST(Simulator, OdometryTwistIsInBodyAxes) {
   EXPECT_LT((s.odometry(mast).v_WB_B - (Vector3d(0, -2, 1) + state.w_WB_B.cross(Vector3d(0, 0, 0.5)))).norm(), 1e-15);
 }
 
+TEST(Simulator, SpecificForceIsAccelerationLessGravity) {
+  const VehicleModel m = hummingbird();
+  Simulator s(m, inTheAir());
+  SensorModel sensor;
+  EXPECT_EQ(s.specificForce(sensor), Vector3d(0, 0, 9.8));  // before any step: at rest
+  s.advance(10);                                            // rotors still: free fall
+  EXPECT_LT(s.specificForce(sensor).norm(), 1e-12);         // differences of velocities up to 0.1 over 1e-3
+  VehicleState state = equilibrium(m, 9.8, 10);
+  state.q_WB = Eigen::AngleAxisd(0.3, Vector3d::UnitX());
+  s.setState(state);
+  s.setCommand(state.rotor_speed);
+  s.advance(1);
+  // Thrust acts along the body's z alone, whatever the attitude; the sensor turned about x by 90 degrees has it on y.
+  EXPECT_LT((s.specificForce(sensor) - Vector3d(0, 0, 9.8)).norm(), 1e-3);  // drag: 0.2 1/s times the first step's 3e-3 m/s
+  sensor.X_BS.linear() = Eigen::AngleAxisd(M_PI / 2, Vector3d::UnitX()).toRotationMatrix();
+  EXPECT_LT((s.specificForce(sensor) - Vector3d(0, 9.8, 0)).norm(), 1e-3);
+  // Spinning about z, a sensor 0.5 m out feels w² r inwards, and the yaw damping's tangential part.
+  state = equilibrium(m, 9.8, 10);
+  state.w_WB_B.z() = 4;
+  s.setState(state);
+  s.advance(1);
+  sensor.X_BS = Eigen::Isometry3d::Identity();
+  sensor.X_BS.translation() = Vector3d(0.5, 0, 0);
+  const double damping = 4 * 8.06428e-05 * hoverSpeed(m, 9.8) * 0.17 * 0.17 * 4 / m.inertia_B(2, 2);
+  // The mean over the step differs by h times the rate of change: 1 ms of a damping of 0.3 1/s.
+  EXPECT_NEAR(s.specificForce(sensor).x(), -16 * 0.5, 16 * 0.5 * 1e-3);
+  EXPECT_NEAR(s.specificForce(sensor).y(), -damping * 0.5, 1e-3 * damping);
+}
+
+TEST(Simulator, OnlyMotionThroughTheAirCounts) {
+  // Flying with the wind is hovering: the same velocity change as without wind at rest, none; and against Galilei's reference.
+  const VehicleModel m = hummingbird();
+  const Vector3d wind(3, -2, 0);
+  Simulator still(m, inTheAir()), carried(m, inTheAir());
+  VehicleState start = equilibrium(m, 9.8, 10);
+  start.w_WB_B = Vector3d(0.1, 0.2, -0.1);
+  still.setStartState(start);
+  start.v_WB += wind;
+  carried.setStartState(start);
+  carried.setWind(wind);
+  for (Simulator* s : {&still, &carried}) s->advance(500);
+  EXPECT_LT((carried.state().p_WB - still.state().p_WB - 0.5 * wind).norm(), 1e-12);  // rounding of 500 steps
+  EXPECT_LT((carried.state().w_WB_B - still.state().w_WB_B).norm(), 1e-12);
+  EXPECT_EQ(carried.wind(), wind);
+  carried.reset();
+  EXPECT_EQ(carried.wind(), Vector3d::Zero());
+  EXPECT_THAT(complaint<std::invalid_argument>([&] { carried.setWind(Vector3d(0, std::nan(""), 0)); }), HasSubstr("finite"));
+}
+
 using test::AllocationCounter;
 
 TEST(AllocationCounter, SeesEveryWayToTheHeap) {

@@ -168,6 +168,26 @@ TEST(VehicleModel, WhatIsLeftOutIsListed) {
   EXPECT_THAT(ignoredPlugins(hummingbird()), testing::ElementsAre("librotors_gazebo_imu_plugin.so (imu, imugt)"));
 }
 
+TEST(VehicleModel, PluginsOfSensorsAreFoundToo) {
+  const std::string camera = "<gazebo reference=\"hummingbird/base_link\"><sensor type=\"camera\" name=\"c\"><update_rate>30</update_rate>"
+                             "<plugin name=\"eye\" filename=\"libgazebo_ros_camera.so\"/></sensor></gazebo></robot>";
+  const VehicleModel m = parseVehicle(replaced(hummingbirdText(), "</robot>", camera), "m.urdf");
+  EXPECT_THAT(ignoredPlugins(m), testing::Contains("libgazebo_ros_camera.so (eye)"));
+  EXPECT_THAT(parseComplaint(replaced(hummingbirdText(), "</robot>", replaced(camera, "libgazebo_ros_camera.so", "libnobody.so"))),
+              HasSubstr("no plugin is called libnobody.so; built in are"));
+}
+
+TEST(Quirks, EachHasANameAndTheProfileIsAllOfThem) {
+  EXPECT_EQ(RotorsQuirks::names().size(), sizeof(RotorsQuirks));
+  RotorsQuirks one_by_one;
+  for (const std::string& name : RotorsQuirks::names()) {
+    EXPECT_FALSE(one_by_one.byName(name)) << name;
+    one_by_one.byName(name) = true;
+    EXPECT_TRUE(RotorsQuirks::all().byName(name)) << name;
+  }
+  EXPECT_THAT(complaint<std::invalid_argument>([&] { one_by_one.byName("wobble"); }), HasSubstr("wobble; must be one of thrust_lag, "));
+}
+
 TEST(VehicleModel, ALibraryOfItsOwnActsOnTheVehicle) {
   const std::string element = std::string("<gazebo><plugin name=\"push\" filename=\"") + QUAD_SIM_TEST_PLUGIN +
                               "\"><force>0.5</force></plugin></gazebo></robot>";
@@ -179,7 +199,7 @@ TEST(VehicleModel, ALibraryOfItsOwnActsOnTheVehicle) {
   s.advance(1);
   EXPECT_NEAR(s.state().v_WB.y(), 0.5 / pushed.mass * 0.001, 1e-15);  // F h / m
   EXPECT_THAT(parseComplaint(replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "libm.so.6")),
-              HasSubstr("exports no quad_sim_make_plugin"));
+              HasSubstr("it is no plugin"));
 }
 
 TEST(VehicleModel, BrokenModelsAreRefusedOrFly) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "quad_sim/quirks.hpp"
 #include "quad_sim/state.hpp"
 #include "quad_sim/state_archive.hpp"
 #include "quad_sim/vehicle_model.hpp"
@@ -21,6 +22,11 @@ struct SimulatorOptions {
   Multibody multibody = Multibody::kFolded;
   Profile profile = Profile::kDefault;
   bool ground = true;     ///< contact plane at z = 0
+  std::uint64_t seed = 0;  ///< of sensors' noise and turbulence
+  RotorsQuirks quirks;     ///< further quirks on top of the profile's
+
+  /// Those in force: all of them with rotors_compat.
+  RotorsQuirks allQuirks() const { return profile == Profile::kRotorsCompat ? RotorsQuirks::all() : quirks; }
 };
 
 /// Commands setCommand() did not take as they were, since reset.
@@ -79,6 +85,13 @@ class Simulator {
   Measurement measure() const;            ///< ideal odometry of base_link's origin, and the rotor speeds
   void measure(Measurement& out) const;   ///< the same into an existing one: no allocation after the first
   Odometry odometry(const SensorModel& sensor) const;  ///< ideal odometry of a sensor's frame
+  /// What an ideal accelerometer at the sensor's place feels [m/s²], sensor's axes: acceleration less gravity, its mean over the
+  /// last physics step; at rest after reset() or setState() before a step, that is g upwards.
+  Eigen::Vector3d specificForce(const SensorModel& sensor) const;
+
+  /// A wind from outside [m/s], world axes, on top of the wind plugin's, held until the next; zero after reset(). @throws if not finite
+  void setWind(const Eigen::Vector3d& wind_W);
+  Eigen::Vector3d wind() const;  ///< of the last step, all shares together [m/s], world axes
 
   bool groundContact() const;  ///< the vehicle has touched the ground since reset
   std::optional<std::int64_t> groundContactTime() const;  ///< first contact since reset [ns]

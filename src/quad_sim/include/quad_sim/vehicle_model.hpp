@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "quad_sim/quirks.hpp"
 #include "quad_sim/state.hpp"
 
 namespace quad_sim {
