@@ -5,18 +5,18 @@
 
 #include "checks.hpp"
 #include "quad_support/linear_algebra.hpp"
+#include "refinement.hpp"
 
 namespace explore_opt {
 namespace {
 
 constexpr double kLargestCondition = 1e10;
 
-/// Column lengths, one where a column is zero, so that dividing by them is safe and a zero column
-/// stays visible.
-Eigen::VectorXd columnScales(const Eigen::MatrixXd& m) {
-  Eigen::VectorXd scales = m.colwise().norm();
-  for (double& s : scales) s = s > 0.0 ? s : 1.0;
-  return scales;
+/// Columns scaled to length one; a column of zeros stays visible.
+Eigen::MatrixXd unitColumns(const Eigen::MatrixXd& R) {
+  Eigen::VectorXd lengths = R.colwise().norm();
+  for (double& length : lengths) length = length > 0.0 ? length : 1.0;
+  return R * lengths.cwiseInverse().asDiagonal();
 }
 
 double conditionOf(const Eigen::VectorXd& singular_values) {
@@ -35,14 +35,14 @@ LeastSquaresFit fitLeastSquares(const Eigen::MatrixXd& X, const Eigen::MatrixXd&
 
   Eigen::MatrixXd regressor(T, n);  // Φᵀ
   regressor << X.leftCols(T).transpose(), U.transpose();
-  const Eigen::VectorXd scales = columnScales(regressor);
+  const Eigen::VectorXd scales = exactScales(regressor);
   const Eigen::MatrixXd scaled = regressor * scales.cwiseInverse().asDiagonal();
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(scaled);
   const Eigen::MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
 
   LeastSquaresFit fit;
   fit.num_samples = static_cast<int>(T);
-  fit.singular_values = quad_support::singularValues(R);
+  fit.singular_values = quad_support::singularValues(unitColumns(R));
   fit.condition = conditionOf(fit.singular_values);
   fit.exciting = fit.condition <= kLargestCondition;
   fit.root = R * scales.asDiagonal();
@@ -53,8 +53,9 @@ LeastSquaresFit fitLeastSquares(const Eigen::MatrixXd& X, const Eigen::MatrixXd&
   const Eigen::MatrixXd target = X.rightCols(T).transpose();
   const Eigen::MatrixXd projected = (qr.householderQ().transpose() * target).topRows(n);
   const Eigen::MatrixXd solution = R.triangularView<Eigen::Upper>().solve(projected);
-  fit.Theta = (scales.cwiseInverse().asDiagonal() * solution).transpose();
-  fit.residual = X.rightCols(T) - fit.Theta * regressor.transpose();
+  const RefinedSolution refined = refine(scaled, target, R, solution);
+  fit.Theta = (scales.cwiseInverse().asDiagonal() * refined.solution).transpose();
+  fit.residual = refined.residual.transpose();
   fit.residual_energy = fit.residual.squaredNorm();
   return fit;
 }

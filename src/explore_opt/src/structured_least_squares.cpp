@@ -3,11 +3,13 @@
 #include <Eigen/QR>
 #include <Eigen/SPQRSupport>
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <limits>
 
 #include "checks.hpp"
 #include "explore_opt/set_membership.hpp"
 #include "quad_support/linear_algebra.hpp"
+#include "refinement.hpp"
 
 namespace explore_opt {
 namespace {
@@ -50,12 +52,44 @@ Sparse regressor(const MatrixXd& phi, Index nx, const std::vector<Entry>& entrie
 }
 
 VectorXd columnScales(const MatrixXd& phi, const std::vector<Entry>& entries) {
+  const VectorXd of_regressors = exactScales(phi.transpose());
   VectorXd scales(static_cast<Index>(entries.size()));
-  for (std::size_t e = 0; e < entries.size(); ++e) {
-    const double length = phi.row(entries[e].column).norm();
-    scales(static_cast<Index>(e)) = length > 0.0 ? length : 1.0;
-  }
+  for (std::size_t e = 0; e < entries.size(); ++e)
+    scales(static_cast<Index>(e)) = of_regressors(entries[e].column);
   return scales;
+}
+
+/// Entries of one row of Θ: other rows do not touch them, so sizes grow with a row, not with Θ.
+std::vector<std::vector<Index>> groupByRow(const std::vector<Entry>& entries, Index nx) {
+  std::vector<std::vector<Index>> groups(static_cast<std::size_t>(nx));
+  for (std::size_t e = 0; e < entries.size(); ++e)
+    groups[static_cast<std::size_t>(entries[e].row)].push_back(static_cast<Index>(e));
+  return groups;
+}
+
+MatrixXd pick(const MatrixXd& m, const std::vector<Index>& columns) {
+  MatrixXd picked(m.rows(), static_cast<Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    picked.col(static_cast<Index>(j)) = m.col(columns[j]);
+  return picked;
+}
+
+/// Singular values of RᵀR's root with columns of length one, largest first: the union over the rows
+/// of Θ.
+VectorXd singularValuesOf(const MatrixXd& root, const std::vector<std::vector<Index>>& groups) {
+  std::vector<double> all;
+  for (const auto& group : groups) {
+    if (group.empty()) continue;
+    MatrixXd part = pick(root, group);
+    for (Index j = 0; j < part.cols(); ++j) {
+      const double length = part.col(j).norm();
+      if (length > 0.0) part.col(j) /= length;
+    }
+    const VectorXd values = quad_support::singularValues(part);
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  std::sort(all.rbegin(), all.rend());
+  return Eigen::Map<const VectorXd>(all.data(), static_cast<Index>(all.size()));
 }
 
 /// The R of a sparse QR with its columns in the order of the regressor.
@@ -63,6 +97,30 @@ MatrixXd rootOf(const Eigen::SPQR<Sparse>& qr, Index n) {
   const MatrixXd permuted = MatrixXd(qr.matrixR()).topRows(n).triangularView<Eigen::Upper>();
   const MatrixXd root = permuted * qr.colsPermutation().inverse();
   return Eigen::HouseholderQR<MatrixXd>(root).matrixQR().triangularView<Eigen::Upper>();
+}
+
+/// Corrects the entries of one row of Θ and puts them there. @returns the row's residual energy
+double refineRow(const VectorXd& target, const MatrixXd& phi, const std::vector<Index>& group,
+                 const MatrixXd& scaled_root, const VectorXd& scales, const VectorXd& solution,
+                 StructuredFit& fit) {
+  if (group.empty()) return target.squaredNorm();
+  const auto n = static_cast<Index>(group.size());
+  MatrixXd A(phi.cols(), n);
+  VectorXd start(n);
+  for (Index j = 0; j < n; ++j) {
+    const Index e = group[static_cast<std::size_t>(j)];
+    A.col(j) = phi.row(fit.free[static_cast<std::size_t>(e)].column).transpose() / scales(e);
+    start(j) = solution(e);
+  }
+  const Eigen::HouseholderQR<MatrixXd> qr(pick(scaled_root, group));
+  const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  const RefinedSolution refined = refine(A, target, R, start);
+  for (Index j = 0; j < n; ++j) {
+    const Index e = group[static_cast<std::size_t>(j)];
+    const Entry at = fit.free[static_cast<std::size_t>(e)];
+    fit.Theta(at.row, at.column) = refined.solution(j, 0) / scales(e);
+  }
+  return refined.residual.squaredNorm();
 }
 
 }  // namespace
@@ -85,7 +143,8 @@ StructuredFit fitStructured(const MatrixXd& X, const MatrixXd& U, const MatrixXd
   const Eigen::SPQR<Sparse> qr(matrix);
   require(qr.info() == Eigen::Success, "sparse QR failed");
   const MatrixXd scaled_root = rootOf(qr, n);
-  fit.singular_values = quad_support::singularValues(scaled_root);
+  const auto groups = groupByRow(fit.free, nx);
+  fit.singular_values = singularValuesOf(scaled_root, groups);
   const double least = fit.singular_values(n - 1);
   fit.condition =
       least > 0.0 ? fit.singular_values(0) / least : std::numeric_limits<double>::infinity();
@@ -98,11 +157,11 @@ StructuredFit fitStructured(const MatrixXd& X, const MatrixXd& U, const MatrixXd
   const MatrixXd target = X.rightCols(T) - fit.Theta * phi;  // x_{k+1} - (φ_kᵀ ⊗ I) c
   const VectorXd solution =
       qr.solve(VectorXd(Eigen::Map<const VectorXd>(target.data(), target.size())));
-  for (Index e = 0; e < n; ++e) {
-    const Entry at = fit.free[static_cast<std::size_t>(e)];
-    fit.Theta(at.row, at.column) = solution(e) / scales(e);
+  for (Index i = 0; i < nx; ++i) {
+    const auto& group = groups[static_cast<std::size_t>(i)];
+    fit.residual_energy +=
+        refineRow(target.row(i).transpose(), phi, group, scaled_root, scales, solution, fit);
   }
-  fit.residual_energy = (X.rightCols(T) - fit.Theta * phi).squaredNorm();
   return fit;
 }
 
