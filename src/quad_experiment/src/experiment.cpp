@@ -221,6 +221,7 @@ ExperimentResult runExperiment(const ExperimentConfig& config, const std::vector
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   results.write("summary.json", summaryJson(plan, result).dump(2) + "\n");
   results.write("table.txt", comparisonTable(plan, result));
+  results.write("table.json", comparisonJson(plan, result).dump(2) + "\n");
   tell({"", "done"});
   return result;
 }

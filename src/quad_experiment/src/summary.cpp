@@ -54,6 +54,15 @@ Json linesPart(const explore_opt::AltitudeParameters& model) {
   }
 }
 
+/// What only a simulation knows: the flown vehicle.
+Json truthPart(const ExperimentPlan& plan) {
+  Json max_speed = Json::array();
+  for (const auto& rotor : plan.vehicle.rotors) max_speed.push_back(rotor.max_speed);
+  return {{"dT", plan.knowledge.truth.sampling_period},
+          {"m", plan.knowledge.truth.mass},
+          {"max_rotor_speed", max_speed}};
+}
+
 Json initialPart(const ExperimentPlan& plan) {
   return {{"dT", plan.knowledge.estimate.sampling_period},
           {"m", plan.knowledge.estimate.mass},
@@ -126,6 +135,7 @@ Json summaryJson(const ExperimentPlan& plan, const ExperimentResult& result) {
   j["flown"] = {{"signal", plan.config.design.fly_design ? "designed" : "given"},
                 {"amplitudes", plan.amplitudes},
                 {"margin", plan.config.design.amplitude_margin}};
+  j["truth"] = truthPart(plan);
   j["initial"] = initialPart(plan);
   j["time"] = {{"dT_des", plan.config.timing.sampling_period},
                {"mean", result.time.mean},

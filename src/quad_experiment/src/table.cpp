@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace quad_experiment {
 namespace {
@@ -105,6 +106,40 @@ std::string judge(const Reference& r, double value, bool comparable) {
                      r.low, r.high);
 }
 
+/// A row of the table: the reference, our value if there is one, and what to say of the two.
+struct Row {
+  const Reference& reference;
+  std::optional<double> ours;
+  std::string verdict;
+};
+
+std::vector<Row> comparedRows(const ExperimentPlan& plan, const ExperimentResult& result) {
+  const Likeness like(plan.config);
+  const auto values = comparedValues(plan, result);
+  std::vector<Row> rows;
+  for (const Reference& r : kReferences) {
+    const auto it = values.find(r.key);
+    if (it == values.end()) {
+      rows.push_back({r, std::nullopt, "not flown, or no such number"});
+    } else {
+      rows.push_back({r, it->second, judge(r, it->second, like.of(r))});
+    }
+  }
+  return rows;
+}
+
+const char* word(Kind kind) {
+  switch (kind) {
+    case Kind::kCertain:
+      return "certain";
+    case Kind::kStatistical:
+      return "statistical";
+    case Kind::kContradictory:
+      return "contradictory";
+  }
+  return "";
+}
+
 const char* yesNo(bool value) { return value ? "yes" : "NO"; }
 
 std::string promise(const ExperimentPlan& plan, const FlightResult& flight) {
@@ -149,17 +184,13 @@ std::map<std::string, double> comparedValues(const ExperimentPlan& plan,
 }
 
 std::string comparisonTable(const ExperimentPlan& plan, const ExperimentResult& result) {
-  const Likeness like(plan.config);
-  const auto values = comparedValues(plan, result);
   std::string text = fmt::format("mode: {}{}\n\n{:<28} {:>12} {:>14}  {}\n", result.mode,
                                  result.mode == "wallclock" ? " (not deterministic)" : "", "",
                                  "thesis", "ours", "verdict");
-  for (const Reference& r : kReferences) {
-    const auto it = values.find(r.key);
-    const std::string ours = it == values.end() ? "-" : fmt::format("{:.6g}", it->second);
-    const std::string verdict =
-        it == values.end() ? "not flown, or no such number" : judge(r, it->second, like.of(r));
-    text += fmt::format("{:<28} {:>12} {:>14}  {}\n", r.label, r.printed, ours, verdict);
+  for (const Row& row : comparedRows(plan, result)) {
+    const Reference& r = row.reference;
+    const std::string ours = row.ours ? fmt::format("{:.6g}", *row.ours) : "-";
+    text += fmt::format("{:<28} {:>12} {:>14}  {}\n", r.label, r.printed, ours, row.verdict);
   }
   text += fmt::format(
       "\ncertified: no signal below gamma_e = {:.6g} can promise this; designed {:.6g} (gap "
@@ -179,6 +210,19 @@ std::string comparisonTable(const ExperimentPlan& plan, const ExperimentResult& 
   for (const FlightResult& flight : result.flights) text += promise(plan, flight);
   text += fmt::format("\nverdict: the promise was {}\n", result.ok() ? "KEPT" : "BROKEN");
   return text;
+}
+
+nlohmann::ordered_json comparisonJson(const ExperimentPlan& plan, const ExperimentResult& result) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const Row& row : comparedRows(plan, result)) {
+    const Reference& r = row.reference;
+    nlohmann::ordered_json entry = {
+        {"key", r.key},         {"label", r.label},       {"thesis", r.printed}, {"ours", nullptr},
+        {"kind", word(r.kind)}, {"verdict", row.verdict}, {"note", r.note}};
+    if (row.ours && std::isfinite(*row.ours)) entry["ours"] = *row.ours;
+    rows.push_back(entry);
+  }
+  return rows;
 }
 
 }  // namespace quad_experiment

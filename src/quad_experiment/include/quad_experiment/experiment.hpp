@@ -86,7 +86,7 @@ using StatusCallback = std::function<void(const ExperimentStatus&)>;
 
 /// Runs everything and fills `results` (not yet committed): config.yaml, provenance.json and
 /// design.json before the first flight; trajectories (on the wall clock timing.csv beside them),
-/// summary.json and table.txt after the last.
+/// summary.json, table.txt and table.json after the last.
 /// @param plants  one: the flights follow each other; two: they fly at the same time. The same bits
 /// either way. Only the targeted flight reports its progress then, and always from this thread.
 ExperimentResult runExperiment(const ExperimentConfig& config, const std::vector<Plant*>& plants,

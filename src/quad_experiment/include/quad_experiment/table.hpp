@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,5 +38,9 @@ std::map<std::string, double> comparedValues(const ExperimentPlan& plan,
 
 /// thesis / ours / verdict, then what was promised and whether it was kept.
 std::string comparisonTable(const ExperimentPlan& plan, const ExperimentResult& result);
+
+/// table.json: the rows of the table with key, label, thesis, ours (null: no such number), kind
+/// ("certain", "statistical", "contradictory"), verdict and note.
+nlohmann::ordered_json comparisonJson(const ExperimentPlan& plan, const ExperimentResult& result);
 
 }  // namespace quad_experiment

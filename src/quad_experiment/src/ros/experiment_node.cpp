@@ -12,6 +12,7 @@
 #include "quad_experiment/experiment.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/program.hpp"
+#include "ros_graph.hpp"
 #include "ros_plant.hpp"
 
 namespace quad_experiment {
@@ -82,8 +83,13 @@ int fly(ros::NodeHandle& node, const NodeOptions& options, std::string& written)
   plant_options.mode = quad_control::toString(config.timing.mode);
   RosPlant plant(node, plant_options, options.start_timeout);
   StatusTopic topic(node);
-  const ExperimentResult result = runExperiment(config, {&plant}, plant_options.mode, results,
-                                                [&](const ExperimentStatus& s) { topic(s); });
+  nlohmann::ordered_json graph;  // of the nodes in flight, asked once
+  const ExperimentResult result =
+      runExperiment(config, {&plant}, plant_options.mode, results, [&](const ExperimentStatus& s) {
+        if (s.phase == "hold" && graph.is_null()) graph = rosGraph();
+        topic(s);
+      });
+  if (!graph.is_null()) results.write("graph.json", graph.dump(2) + "\n");
   results.commit();
   written = results.path();
   std::printf("results: %s\n", written.c_str());
