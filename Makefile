@@ -1,4 +1,4 @@
-# make build | experiment | test | bench | check | doctor | clean. What needs a build makes it first.
+# make build | experiment | report | test | bench | check | doctor | clean. What needs a build makes it first.
 SHELL := /bin/bash
 # ROS's Python lives in /usr/bin; a pyenv or conda python must not come before it.
 export PATH := /usr/bin:$(PATH)
@@ -9,7 +9,7 @@ CONFIG ?= config/thesis.yaml
 OUT ?= results/$(basename $(notdir $(CONFIG)))
 RUN := . build/devel/setup.sh &&
 
-.PHONY: setup configure build tests test experiment bench check doctor clean
+.PHONY: setup configure build tests test experiment report bench check doctor clean
 .DEFAULT_GOAL := build
 
 setup:
@@ -29,12 +29,17 @@ tests: build
 test: tests
 	$(RUN) ROS_HOME=$(CURDIR)/build/ros_home ctest --test-dir build -j$(J) --output-on-failure
 
-# Flies over ROS, prints the table and where this run lies among 200 seeds; ends with the experiment's verdict (make's own
+# Flies over ROS, prints the table and where this run lies among 200 seeds, makes the report; ends with the experiment's verdict (make's own
 # exit code is 2 for any "no"; scripts/experiment alone passes on the precise one).
 experiment: build
 	@scripts/experiment --config $(CONFIG) --out $(OUT) --force; verdict=$$?; \
-	case $$verdict in 0|3) build/devel/lib/quad_experiment/quad_experiment percentiles --results $(OUT) || exit $$?;; esac; \
+	case $$verdict in 0|3) build/devel/lib/quad_experiment/quad_experiment percentiles --results $(OUT) && \
+	  scripts/report $(OUT) || exit $$?;; esac; \
 	exit $$verdict
+
+# The report of a run that is there already: make report OUT=results/mine
+report: build
+	@scripts/report $(OUT)
 
 bench: build
 	@$(RUN) scripts/bench

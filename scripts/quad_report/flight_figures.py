@@ -81,11 +81,15 @@ def noise(run, name="targeted"):
     axes[0].set_title(r"$\gamma_{w_\mathrm{sim}}$ = %.4g%s" % (
         energy, "; thesis: %.2f" % thesis.GAMMA_W_SIM if run.is_thesis_design() and name == "targeted" else ""))
     axes[1].set_xlabel("t (s)")
-    return fig, ("Noise of the simulation on position and velocity; energy %.4g, of which %.0f %% in the position. %s" % (
-        energy, 100 * np.sum(W[0] ** 2) / energy if energy else 0,
-        "It grows with the velocity: an interval that is off by dt moves z by dt times the speed."
-        if run.config["timing"].get("jitter_std") or run.wallclock else
-        "Intervals are exact here; what is left is rotor lag and drag."))
+    share = float(np.sum(W[0] ** 2)) / energy if energy else 0.0
+    if not run.config["timing"].get("jitter_std") and not run.wallclock:
+        reason = "Intervals are exact here; what is left is rotor lag and drag."
+    elif share > 0.5:
+        reason = "It grows with the velocity: an interval that is off by dt moves z by dt times the speed."
+    else:
+        reason = "At these speeds it is the late command and the rotors' lag, not the intervals."
+    return fig, "Noise of the simulation on position and velocity; energy %.4g, of which %.0f %% in the position. %s" % (
+        energy, 100 * share, reason)
 
 
 def random_signal(run):

@@ -69,7 +69,7 @@ def place(nodes, flow):
 
 
 def box(axis, spot, text, **frame):
-    return axis.text(*spot, text, ha="center", va="center", fontsize=6, zorder=3, linespacing=1.25,
+    return axis.text(*spot, text, ha="center", va="center", fontsize=6, zorder=3, linespacing=1.25, parse_math=False,
                      bbox=dict(linewidth=0.9, **frame))
 
 

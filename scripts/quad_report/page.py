@@ -1,6 +1,10 @@
 """Draws all figures and fills the page."""
+import ctypes
 import html
+import multiprocessing
 import os
+import signal
+from functools import partial
 
 import jinja2
 import markupsafe
@@ -19,14 +23,23 @@ def write(results, pdf=False, wallclock=""):
     run = Run(results)
     if wallclock:
         supplement.keep_wallclock(run, wallclock)
-    drawn = [draw(run, entry, pdf) for entry in figures.ENTRIES]
+    supplement.prepare(run)
+    # Figures do not know of each other, so each core draws some; which one does not show in the bytes.
+    with multiprocessing.get_context("fork").Pool(min(os.cpu_count() or 1, 8), die_with_parent) as pool:
+        drawn = pool.map(partial(draw, run, pdf=pdf), range(len(figures.ENTRIES)), chunksize=1)
     page = os.path.join(results, "report.html")
     supplement.write(page, render(run, drawn))
     return page, ["%s: not drawn, %s" % (d["name"], d["gap"]) for d in drawn if d["gap"]]
 
 
-def draw(run, entry, pdf):
-    """The figure's files, and what the page says of it."""
+def die_with_parent():
+    """In a worker: should this program be killed, nobody would tell it that no more work comes."""
+    ctypes.CDLL(None).prctl(1, signal.SIGKILL)   # PR_SET_PDEATHSIG
+
+
+def draw(run, index, pdf):
+    """The files of a figure, and what the page says of it."""
+    entry = figures.ENTRIES[index]
     found = {"name": entry.name, "number": entry.number, "title": entry.title, "section": entry.section, "wide": entry.wide,
              "gap": "", "svg": "", "caption": ""}
     path = run.file("figures", entry.name)

@@ -73,7 +73,7 @@ def close(fig):
 def for_page(svg, name, alt):
     """The <svg> element for a page that holds several: ids of its own, no XML prologue, no address of a namespace."""
     svg = svg[svg.index("<svg"):]
-    svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
+    svg = re.sub(r"<metadata>.*?</metadata>|<!--.*?-->\s*", "", svg, flags=re.DOTALL)
     svg = re.sub(r' xmlns(:\w+)?="[^"]*"', "", svg)
     svg = svg.replace("xlink:href", "href")
     svg = re.sub(r'\bid="([^"]+)"', r'id="%s-\1"' % name, svg)
