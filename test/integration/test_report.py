@@ -127,6 +127,19 @@ class Report(FlightCase):
             self.assertIn(part, page.text)
         self.assertNotIn("Wall-clock run", page.text)
 
+    def test_the_table_is_the_one_the_run_printed(self):
+        run = self.flown()
+        with open(os.path.join(run, "table.json")) as file:
+            rows = json.load(file)
+        with open(os.path.join(run, "table.txt")) as file:
+            printed = file.read()
+        self.assertGreater(len(rows), 20)
+        for row in rows:
+            ours = "-" if row["ours"] is None else "%.6g" % row["ours"]
+            self.assertRegex(printed, r"(?m)^%s +%s +%s  %s$" % tuple(map(re.escape, (row["label"], row["thesis"], ours,
+                                                                                       row["verdict"]))))
+            self.assertIn(row["kind"], ("certain", "statistical", "contradictory"))
+
     def test_the_same_bytes_again(self):
         run = self.flown()
         before = self.contents(run)
