@@ -26,7 +26,7 @@ const std::map<std::string, Entry>& registry() {
   static const std::map<std::string, Entry> entries = {
       {"librotors_gazebo_motor_model.so", {PluginRole::kForce, makeRotors}},
       {"librotors_gazebo_odometry_plugin.so", {PluginRole::kSensor, nullptr}},
-      {"librotors_gazebo_imu_plugin.so", {PluginRole::kIgnored, nullptr}},
+      {"librotors_gazebo_imu_plugin.so", {PluginRole::kSensor, nullptr}},
       {"librotors_gazebo_wind_plugin.so", {PluginRole::kIgnored, nullptr}},
       {"librotors_gazebo_multirotor_base_plugin.so", {PluginRole::kOutside, nullptr}},
       {"librotors_gazebo_controller_interface.so", {PluginRole::kOutside, nullptr}},

@@ -11,7 +11,7 @@ namespace quad_sim {
 namespace {
 
 using Switch = std::pair<const char*, bool RotorsQuirks::*>;
-constexpr std::array<Switch, 11> kSwitches = {{
+constexpr std::array<Switch, 12> kSwitches = {{
     {"thrust_lag", &RotorsQuirks::thrust_lag},
     {"unchecked_commands", &RotorsQuirks::unchecked_commands},
     {"float_commands", &RotorsQuirks::float_commands},
@@ -22,6 +22,7 @@ constexpr std::array<Switch, 11> kSwitches = {{
     {"filter_survives_reset", &RotorsQuirks::filter_survives_reset},
     {"world_reset_keeps_rotors", &RotorsQuirks::world_reset_keeps_rotors},
     {"stamp_ahead", &RotorsQuirks::stamp_ahead},
+    {"sensor_reports", &RotorsQuirks::sensor_reports},
     {"aliasing_blind", &RotorsQuirks::aliasing_blind},
 }};
 static_assert(sizeof(RotorsQuirks) == kSwitches.size() * sizeof(bool), "every switch has a name");

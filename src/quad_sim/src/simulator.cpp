@@ -331,6 +331,11 @@ void Simulator::setWind(const Vector3d& wind_W) {
 
 Vector3d Simulator::wind() const { return world_->wind; }
 
+ImuReading Simulator::imu(const SensorModel& sensor) const {
+  const Odometry at = odometry(sensor);
+  return {at.time_ns, at.q_WB, at.w_WB_B, specificForce(sensor)};
+}
+
 bool Simulator::groundContact() const { return world_->contact_step >= 0; }
 
 std::optional<std::int64_t> Simulator::groundContactTime() const {

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "hummingbird.hpp"
 #include "quad_sim/replay.hpp"
@@ -104,10 +105,12 @@ TEST_F(Program, WritesWhatTheLibraryDoes) {
 }
 
 TEST_F(Program, PluginsWithoutEffectAreListedOnRequest) {
-  ASSERT_EQ(call(usual() + " --duration 0.1"), 0) << errors();
+  std::ofstream(path("gps.urdf")) << replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "librotors_gazebo_gps_plugin.so");
+  const std::string with_gps = "simulate --urdf " + path("gps.urdf") + " --commands " + path("c.csv") + " --out " + path("o.csv");
+  ASSERT_EQ(call(with_gps + " --duration 0.1"), 0) << errors();
   EXPECT_EQ(errors(), "");
-  ASSERT_EQ(call(usual() + " --duration 0.1 --verbose"), 0) << errors();
-  EXPECT_THAT(errors(), HasSubstr("without effect here: librotors_gazebo_imu_plugin.so (imu, imugt)"));
+  ASSERT_EQ(call(with_gps + " --duration 0.1 --verbose"), 0) << errors();
+  EXPECT_THAT(errors(), HasSubstr("without effect here: librotors_gazebo_gps_plugin.so (imu)"));
 }
 
 TEST_F(Program, BadInputIsExitTwoAndLeavesNoFile) {

@@ -77,10 +77,13 @@ TEST(VehicleModel, HoverSpeedCarriesTheWeight) {
 
 TEST(VehicleModel, SensorsAndBoxAreFound) {
   const VehicleModel m = hummingbird();
-  ASSERT_EQ(m.sensors.size(), 2U);
+  ASSERT_EQ(m.sensors.size(), 4U);
   EXPECT_EQ(m.sensors[0].topic, "odometry_sensor1/odometry");
   EXPECT_EQ(m.sensors[0].frame, "hummingbird/odometry_sensor1");
   EXPECT_EQ(m.sensors[1].topic, "ground_truth/odometry");
+  EXPECT_EQ(m.sensors[2].topic, "imu");
+  EXPECT_EQ(m.sensors[2].frame, "hummingbird/imu_link");
+  EXPECT_EQ(m.sensors[3].topic, "ground_truth/imu");
   ASSERT_EQ(m.boxes.size(), 1U);
   EXPECT_EQ(m.boxes[0].size, Eigen::Vector3d(0.1, 0.1, 0.12));
 }
@@ -165,7 +168,9 @@ TEST(VehicleModel, AnUnknownPluginListsTheKnownOnes) {
 }
 
 TEST(VehicleModel, WhatIsLeftOutIsListed) {
-  EXPECT_THAT(ignoredPlugins(hummingbird()), testing::ElementsAre("librotors_gazebo_imu_plugin.so (imu, imugt)"));
+  EXPECT_THAT(ignoredPlugins(hummingbird()), testing::IsEmpty());
+  const std::string gps = replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "librotors_gazebo_gps_plugin.so");
+  EXPECT_THAT(ignoredPlugins(parseVehicle(gps, "m.urdf")), testing::ElementsAre("librotors_gazebo_gps_plugin.so (imu)"));
 }
 
 TEST(VehicleModel, PluginsOfSensorsAreFoundToo) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "quad_sim/imu_sensor.hpp"
 #include "quad_sim/quirks.hpp"
 #include "quad_sim/state.hpp"
 #include "quad_sim/state_archive.hpp"
@@ -92,6 +93,9 @@ class Simulator {
   /// A wind from outside [m/s], world axes, on top of the wind plugin's, held until the next; zero after reset(). @throws if not finite
   void setWind(const Eigen::Vector3d& wind_W);
   Eigen::Vector3d wind() const;  ///< of the last step, all shares together [m/s], world axes
+
+  /// Noise-free reading of an IMU: attitude and rate now, and specificForce().
+  ImuReading imu(const SensorModel& sensor) const;
 
   bool groundContact() const;  ///< the vehicle has touched the ground since reset
   std::optional<std::int64_t> groundContactTime() const;  ///< first contact since reset [ns]
