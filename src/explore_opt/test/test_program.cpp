@@ -235,6 +235,40 @@ TEST_F(Program, IdentifyTakesMatricesAndKnownEntries) {
   EXPECT_EQ(run(common + "--known " + write("shape.json", "[[0.5]]")), 2);
 }
 
+TEST_F(Program, IdentifyTellsIntervalsMembershipAndFusesFiles) {
+  const std::string first = write("first.csv", data(0.01)),
+                    second = write("second.csv", data(0.005));
+  const std::string options = " --states x --inputs u --where phase=explore ";
+  ASSERT_EQ(run("identify " + first + options +
+                "--gamma-w 0.01 --function 'gain = B1/A11' --function B1 --contains " +
+                write("truth.json", "[[0.5, 0.4]]")),
+            0)
+      << stderr_;
+  EXPECT_LT(answer()["lower"][0][1].get<double>(), 0.4);
+  EXPECT_GT(answer()["upper"][0][1].get<double>(), 0.4);
+  EXPECT_EQ(answer()["functions"][0]["name"], "gain");
+  EXPECT_LT(answer()["functions"][0]["lower"].get<double>(), 0.8);
+  EXPECT_GT(answer()["functions"][0]["upper"].get<double>(), 0.8);
+  EXPECT_EQ(answer()["functions"][1]["upper"], answer()["upper"][0][1]);
+  EXPECT_EQ(answer()["candidate"]["member"], true);
+  const double alone = answer()["lambda_D_bd"].get<double>();
+  EXPECT_EQ(run("identify " + first + options + "--gamma-w 0.01 --contains " +
+                write("far.json", "[[0.5, 0.9]]")),
+            3);
+  EXPECT_NE(stderr_.find("is not among the parameters"), std::string::npos) << stderr_;
+
+  ASSERT_EQ(run("identify " + first + " " + second + options + "--gamma-w 0.01,0.002"), 0)
+      << stderr_;
+  EXPECT_EQ(answer()["data_sets"].size(), 2u);
+  EXPECT_EQ(answer()["weights"].size(), 2u);
+  EXPECT_GT(answer()["lambda_D_bd"].get<double>(), alone);
+  EXPECT_EQ(run("identify " + first + " " + second + options + "--gamma-w 0.01,0.002,1"), 2);
+  EXPECT_EQ(run("identify " + first + options + "--gamma-w 0.01 --function A12"), 2);
+  EXPECT_EQ(run("identify " + first + options + "--gamma-w 0.01 --contains " +
+                write("bad.json", "[[0.5]]")),
+            2);
+}
+
 TEST_F(Program, DataThatDoNotExciteExitWith3) {
   EXPECT_EQ(run("identify " + write("still.csv", "x,u\n1,0\n0.5,0\n0.25,0\n0.125,0\n") +
                 " --states x --inputs u --gamma-w 1"),
