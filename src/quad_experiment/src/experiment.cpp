@@ -83,7 +83,7 @@ explore_opt::ExplorationProblem designProblem(const ExperimentConfig& config) {
   return problem;
 }
 
-ExperimentPlan planExperiment(const ExperimentConfig& config) {
+ExperimentPlan planExperiment(const ExperimentConfig& config, DesignMemory* designs) {
   ExperimentPlan plan;
   plan.config = config;
   plan.vehicle = config.vehicle;
@@ -97,7 +97,8 @@ ExperimentPlan planExperiment(const ExperimentConfig& config) {
   plan.problem = designProblem(config);
   explore_opt::DesignOptions options;
   options.method = config.design.method;
-  plan.design = explore_opt::designExploration(plan.problem, options);
+  plan.design = designs ? designs->design(plan.problem, options.method)
+                        : explore_opt::designExploration(plan.problem, options);
   plan.amplitudes = flownAmplitudes(config, plan.design);
   const auto rows = static_cast<Eigen::Index>(plan.amplitudes.size());
   plan.targeted_signal = toSamples(

@@ -119,7 +119,10 @@ void requireFlight(const ConfigReader& in, const ExperimentConfig& c) {
 }  // namespace
 
 ExperimentConfig readExperimentConfig(const std::string& path, const std::string& mode) {
-  const ConfigReader in = ConfigReader::fromFile(path);
+  return readExperimentConfig(ConfigReader::fromFile(path), mode);
+}
+
+ExperimentConfig readExperimentConfig(const ConfigReader& in, const std::string& mode) {
   ExperimentConfig c;
   c.simulation = quad_sim::readSimulationConfig(in.section("vehicle"), in.section("simulation"));
   c.timing = quad_control::readTimingConfig(in.section("timing"), c.simulation.options.step);

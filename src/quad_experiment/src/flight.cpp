@@ -23,7 +23,7 @@ void requireFlying(const quad_sim::Odometry& o, const FlightSpec& spec) {
         fmt::format("the vehicle is upside down at {} s; check control gains", seconds(o.time_ns)));
   }
   if (spec.expect_ground && o.p_WB.z() <= spec.ground_clearance) {
-    throw quad_support::SimulationError(fmt::format(
+    throw GroundContact(fmt::format(
         "the vehicle reached the ground at {} s (z = {} m); raise simulation.initial_altitude",
         seconds(o.time_ns), o.p_WB.z()));
   }

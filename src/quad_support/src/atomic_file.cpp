@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "quad_support/errors.hpp"
 
@@ -37,20 +38,34 @@ std::string parentOf(const std::string& path) {
   return parent.empty() ? "." : parent;
 }
 
-void writeAndSync(const std::string& path, std::string_view content) {
+int create(const std::string& path) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (fd < 0) fail("create", path, errno);
-  int error = 0;
-  while (!content.empty() && error == 0) {
+  return fd;
+}
+
+/// @returns errno, 0 if all was written
+int writeAll(int fd, std::string_view content) {
+  while (!content.empty()) {
     const ssize_t n = ::write(fd, content.data(), content.size());
-    if (n > 0) {
+    if (n > 0)
       content.remove_prefix(static_cast<std::size_t>(n));
-    } else if (n < 0 && errno != EINTR) {
-      error = errno;
-    }
+    else if (n < 0 && errno != EINTR)
+      return errno;
   }
+  return 0;
+}
+
+/// @param error  of the writing before  @returns the first errno, 0 if the file is on the disk
+int syncAndClose(int fd, int error) {
   if (error == 0 && ::fsync(fd) != 0 && errno != EINVAL) error = errno;
   if (::close(fd) != 0 && error == 0) error = errno;
+  return error;
+}
+
+void writeAndSync(const std::string& path, std::string_view content) {
+  const int fd = create(path);
+  const int error = syncAndClose(fd, writeAll(fd, content));
   if (error != 0) {
     ::unlink(path.c_str());
     fail("write", path, error);
@@ -82,6 +97,31 @@ void writeFileAtomically(const std::string& path, std::string_view content) {
     fail("rename a finished file to", path, error);
   }
   syncPath(parentOf(path), O_RDONLY | O_DIRECTORY);
+}
+
+AsideFile::AsideFile(const std::string& path)
+    : path_(path), aside_(fmt::format("{}.partial-{}", path, ::getpid())), fd_(create(aside_)) {}
+
+AsideFile::~AsideFile() {
+  if (fd_ < 0) return;
+  ::close(fd_);
+  ::unlink(aside_.c_str());
+}
+
+void AsideFile::append(std::string_view content) {
+  const int error = writeAll(fd_, content);
+  if (error != 0) fail("write", aside_, error);
+}
+
+void AsideFile::commit() {
+  const int error = syncAndClose(std::exchange(fd_, -1), 0);
+  if (error == 0 && ::rename(aside_.c_str(), path_.c_str()) == 0) {
+    syncPath(parentOf(path_), O_RDONLY | O_DIRECTORY);
+    return;
+  }
+  const int reason = error != 0 ? error : errno;
+  ::unlink(aside_.c_str());
+  fail("finish", path_, reason);
 }
 
 std::string readFile(const std::string& path) {

@@ -32,6 +32,7 @@ struct ConfigReader::Node {
   std::string prefix;  ///< "control." inside section control, "" at the top
   int line = 0;
   std::map<std::string, YAML::Node> entries;
+  std::vector<std::string> order;  ///< of the keys in the file
   std::map<std::string, int> lines;
   mutable std::set<std::string> asked;
 };
@@ -99,19 +100,93 @@ std::shared_ptr<NodeType> makeNode(const YAML::Node& yaml, const std::string& fi
                                     key_line, prefix, key, node->lines[key]));
     }
     node->lines[key] = key_line;
+    node->order.push_back(key);
   }
   return node;
 }
 
 }  // namespace
 
-ConfigReader ConfigReader::fromText(const std::string& text, const std::string& name) {
+namespace {
+
+YAML::Node parse(const std::string& text, const std::string& name) {
   try {
-    const YAML::Node yaml = YAML::Load(text);
-    return ConfigReader(makeNode<Node>(yaml, name, "", 1));
+    return YAML::Load(text);
   } catch (const YAML::Exception& e) {
     throw ConfigError(fmt::format("{}:{}: not valid YAML: {}", name, e.mark.line + 1, e.msg));
   }
+}
+
+/// A copy that claims no line of the file, so that complaints name the line of its key.
+YAML::Node unmarked(const YAML::Node& node) {
+  if (node.IsSequence()) {
+    YAML::Node list(YAML::NodeType::Sequence);
+    for (const auto& entry : node) list.push_back(unmarked(entry));
+    return list;
+  }
+  if (node.IsMap()) {
+    YAML::Node map(YAML::NodeType::Map);
+    for (const auto& entry : node) map[unmarked(entry.first)] = unmarked(entry.second);
+    return map;
+  }
+  return node.IsNull() ? YAML::Node() : YAML::Node(node.Scalar());
+}
+
+/// "control.altitude[0]" as {"control", "altitude", "0"}.
+std::vector<std::string> stepsTo(const std::string& key) {
+  std::vector<std::string> steps(1);
+  for (const char c : key) {
+    if (c == '.' || c == '[')
+      steps.emplace_back();
+    else if (c != ']')
+      steps.back() += c;
+  }
+  return steps;
+}
+
+/// The entry of a map or list; undefined if there is none.
+YAML::Node entryOf(const YAML::Node& node, const std::string& step) {
+  if (node.IsMap()) return node[step];
+  const bool index =
+      !step.empty() && step.size() < 7 && step.find_first_not_of("0123456789") == std::string::npos;
+  return node.IsSequence() && index ? node[std::stoul(step)]
+                                    : YAML::Node(YAML::NodeType::Undefined);
+}
+
+void apply(const YAML::Node& root, const std::string& name, const Override& o) {
+  const std::vector<std::string> steps = stepsTo(o.key);
+  YAML::Node at = root;
+  for (const std::string& step : steps) {
+    const YAML::Node next = entryOf(at, step);
+    if (next.IsDefined()) {
+      at.reset(next);
+    } else if (at.IsMap() && !step.empty() && &step == &steps.back()) {
+      at[step] = unmarked(parse(o.value, o.key));  // one the text could have had
+      return;
+    } else {
+      throw ConfigError(fmt::format("{} has no key {}", name, o.key));
+    }
+  }
+  at = unmarked(parse(o.value, o.key));
+}
+
+std::string flow(const YAML::Node& node) {
+  YAML::Emitter out;
+  out << YAML::Flow << node;
+  return out.c_str();
+}
+
+}  // namespace
+
+ConfigReader ConfigReader::fromText(const std::string& text, const std::string& name) {
+  return fromText(text, name, {});
+}
+
+ConfigReader ConfigReader::fromText(const std::string& text, const std::string& name,
+                                    const std::vector<Override>& overrides) {
+  const YAML::Node yaml = parse(text, name);
+  for (const Override& o : overrides) apply(yaml, name, o);
+  return ConfigReader(makeNode<Node>(yaml, name, "", 1));
 }
 
 ConfigReader ConfigReader::fromFile(const std::string& path) {
@@ -126,6 +201,8 @@ bool ConfigReader::has(const std::string& key) const {
 bool ConfigReader::isSection(const std::string& key) const {
   return has(key) && node_->entries.at(key).IsMap();
 }
+
+std::vector<std::string> ConfigReader::keys() const { return node_->order; }
 
 void ConfigReader::fail(const std::string& key, const std::string& problem, int index) const {
   const std::string name = node_->prefix + key + (index >= 0 ? fmt::format("[{}]", index) : "");
@@ -207,6 +284,20 @@ std::int64_t ConfigReader::integer(const std::string& key, std::int64_t min,
                                    std::int64_t max) const {
   return toInteger(*this, require(*this, node_->entries, key, false, "must be a whole number"), key,
                    min, max, -1);
+}
+
+std::string ConfigReader::value(const std::string& key) const {
+  if (!has(key)) fail(key, "is missing");
+  return flow(node_->entries.at(key));
+}
+
+std::vector<std::string> ConfigReader::values(const std::string& key) const {
+  const YAML::Node list =
+      require(*this, node_->entries, key, true, "must be a list of at least one value");
+  if (list.size() == 0) fail(key, "must be a list of at least one value");
+  std::vector<std::string> texts;
+  for (const auto& entry : list) texts.push_back(flow(entry));
+  return texts;
 }
 
 bool ConfigReader::boolean(const std::string& key) const {

@@ -1,6 +1,7 @@
 #include "quad_support/program.hpp"
 
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -13,6 +14,7 @@ namespace quad_support {
 int runProgram(const std::string& name, const std::function<int()>& body, std::string* message) {
   std::setlocale(LC_ALL, "C");
   installInterruptHandlers();
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then an error of write(), with its message
   const auto complain = [&](const std::string& text, int code) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), text.c_str());
     if (message) *message = text;

@@ -84,6 +84,21 @@ TEST(RandomStream, EveryPartOfTheAddressMatters) {
   EXPECT_NE(base, RandomStream(1, 2, 3).uniform(4, 9));
 }
 
+TEST_F(AtomicFile, InPiecesIsThereWholeOrNotAtAll) {
+  const std::string path = (dir_ / "big").string();
+  {
+    quad_support::AsideFile file(path);
+    file.append("half");
+    EXPECT_FALSE(std::filesystem::exists(path));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(dir_));
+  quad_support::AsideFile file(path);
+  file.append("first ");
+  file.append("second");
+  file.commit();
+  EXPECT_EQ(quad_support::readFile(path), "first second");
+}
+
 TEST_F(AtomicFile, ReplacesTheWholeFile) {
   const std::string path = dir_ / "a.txt";
   writeFileAtomically(path, "first");

@@ -9,6 +9,7 @@
 
 #include "explore_opt/exploration_design.hpp"
 #include "quad_control/mixer.hpp"
+#include "quad_experiment/design_memory.hpp"
 #include "quad_experiment/experiment_config.hpp"
 #include "quad_experiment/flight.hpp"
 #include "quad_experiment/plant.hpp"
@@ -38,7 +39,8 @@ explore_opt::ExplorationProblem designProblem(const ExperimentConfig& config);
 /// Designs and generates signals. @throws quad_support::ConfigError as readExperimentConfig();
 /// quad_support::NegativeAnswer if the design that was to be flown does not exist, with the
 /// solver's reason
-ExperimentPlan planExperiment(const ExperimentConfig& config);
+/// @param designs  if given, asked for the design
+ExperimentPlan planExperiment(const ExperimentConfig& config, DesignMemory* designs = nullptr);
 
 /// The same plan with another seed: vehicle, model and design stay, the random signal is drawn
 /// anew.

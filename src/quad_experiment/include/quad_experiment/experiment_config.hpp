@@ -12,6 +12,7 @@
 #include "quad_control/control_config.hpp"
 #include "quad_experiment/middleware.hpp"
 #include "quad_sim/simulation_config.hpp"
+#include "quad_support/config_reader.hpp"
 
 namespace quad_experiment {
 
@@ -54,6 +55,10 @@ struct ExperimentConfig {
 /// @param mode  lockstep, wallclock, or empty: timing.mode of the file
 /// @throws quad_support::ConfigError naming file, line, key, value and limit
 ExperimentConfig readExperimentConfig(const std::string& path, const std::string& mode = "");
+
+/// The same from a file that has been opened, perhaps with some values replaced.
+ExperimentConfig readExperimentConfig(const quad_support::ConfigReader& in,
+                                      const std::string& mode = "");
 
 /// Every value used, as YAML that reads back to the same configuration: the URDF's path is
 /// absolute, a drawn estimate stands as the numbers drawn.

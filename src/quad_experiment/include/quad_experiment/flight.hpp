@@ -9,8 +9,15 @@
 #include "quad_experiment/middleware.hpp"
 #include "quad_experiment/plant.hpp"
 #include "quad_experiment/trajectory.hpp"
+#include "quad_support/errors.hpp"
 
 namespace quad_experiment {
+
+/// The vehicle touched the ground where there was to be none.
+class GroundContact : public quad_support::SimulationError {
+ public:
+  using quad_support::SimulationError::SimulationError;
+};
 
 /// What a flight needs besides the plant.
 struct FlightSpec {
@@ -26,7 +33,7 @@ using FlightProgress = std::function<void(const quad_sim::Odometry&)>;
 
 /// Thesis section 1.2.4, steps (a) to (j), until the signal of the plan has been flown (T inputs, T
 /// + 1 states) or, without a signal, until `end_of_hold`.
-/// @throws quad_support::SimulationError: ground contact, a state that is not finite, a vehicle on
+/// @throws quad_support::SimulationError: ground contact (GroundContact), a state that is not finite, a vehicle on
 /// its back;
 ///         quad_support::EnvironmentError: the plant is lost; quad_support::Interrupted
 Trajectory fly(Plant& plant, const FlightSpec& spec, const Middleware& middleware,

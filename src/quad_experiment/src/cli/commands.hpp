@@ -22,9 +22,28 @@ struct StepOptions {
   double duration = 20.0;  ///< [s]
   bool force = false;
 };
+struct BatchCommandOptions {
+  std::string spec, out;
+  long long runs = 0;      ///< repeats of each point of the grid; 0: as the spec says
+  int workers = 0;         ///< 0: one a core
+  long long chunk = 0;     ///< runs a chunk; 0: seconds
+  double timeout = 300.0;  ///< [s]
+  std::string shard;       ///< "i/n"
+  bool resume = false, force = false;
+  std::string hash;  ///< of a worker
+};
+struct BatchReplayOptions {
+  long long run = 0;
+  std::string spec, batch, out;
+  bool force = false;
+};
 
 // All return an exit code and throw what quad_support::runProgram() understands.
 int run(const RunOptions& options);
 int check(const CheckOptions& options);
 int percentiles(const PercentilesOptions& options);
+int batch(const BatchCommandOptions& options);
+int batchDescribe(const BatchCommandOptions& options);
+int batchWorker(const BatchCommandOptions& options);
+int batchReplay(const BatchReplayOptions& options);
 int step(const StepOptions& options);

@@ -14,6 +14,8 @@ struct Options {
   CheckOptions check;
   PercentilesOptions percentiles;
   StepOptions step;
+  BatchCommandOptions batch;
+  BatchReplayOptions replay;
 };
 
 void addRun(CLI::App& app, RunOptions& o, std::function<int()>& chosen) {
@@ -74,6 +76,73 @@ void addStep(CLI::App& app, StepOptions& o, std::function<int()>& chosen) {
   command->callback([&] { chosen = [&o] { return step(o); }; });
 }
 
+void addBatchParts(CLI::App& command, Options& all, std::function<int()>& chosen) {
+  BatchCommandOptions& o = all.batch;
+  auto* describe =
+      command.add_subcommand("describe", "Print runs, columns and hash of a spec as JSON");
+  describe->add_option("--spec", o.spec, "what varies (YAML)")->required();
+  describe->add_option("--runs", o.runs, "in place of the spec's `runs`")
+      ->check(CLI::Range(1, 1000000000));
+  describe->footer("Example:\n  quad_experiment batch describe --spec config/monte_carlo.yaml");
+  describe->callback([&] { chosen = [&o] { return batchDescribe(o); }; });
+
+  auto* worker = command.add_subcommand("worker", "")->group("");  // started by the pool only
+  worker->add_option("--spec", o.spec)->required();
+  worker->add_option("--out", o.out)->required();
+  worker->add_option("--runs", o.runs)->required();
+  worker->add_option("--hash", o.hash)->required();
+  worker->callback([&] { chosen = [&o] { return batchWorker(o); }; });
+
+  BatchReplayOptions& r = all.replay;
+  auto* replay =
+      command.add_subcommand("replay", "Fly one run of a batch again, with everything it leaves");
+  replay->add_option("run", r.run, "number of the run")->required();
+  replay->add_option("--batch", r.batch, "directory of the batch; its row must come out the same");
+  replay->add_option("--spec", r.spec, "the spec alone, without comparing");
+  replay->add_option("--out", r.out, "directory for the results; must not exist")->required();
+  replay->add_flag("--force", r.force, "replace an existing results directory");
+  replay->footer(
+      "Example:\n  quad_experiment batch replay 17 --spec config/monte_carlo.yaml --out "
+      "results/run_17");
+  replay->callback([&] { chosen = [&r] { return batchReplay(r); }; });
+}
+
+void addBatch(CLI::App& app, Options& all, std::function<int()>& chosen) {
+  BatchCommandOptions& o = all.batch;
+  auto* command = app.add_subcommand(
+      "batch",
+      "Fly many experiments on all cores: Monte Carlo and parameter sweeps (docs/batch.md)");
+  command->add_option("--spec", o.spec, "what varies (YAML), see config/monte_carlo.yaml");
+  command->add_option("--out", o.out, "directory for results.csv; must not exist");
+  command
+      ->add_option("--runs", o.runs,
+                   "in place of the spec's `runs`: repeats of each point of the grid")
+      ->check(CLI::Range(1, 1000000000));
+  command->add_option("--workers", o.workers, "processes; 0: one a core")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
+  command
+      ->add_option("--chunk", o.chunk, "runs written at a time; 0: so many that it takes seconds")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000000));
+  command->add_option("--timeout", o.timeout, "[s] processor time after which a run is given up")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1e6));
+  command->add_option("--shard", o.shard,
+                      "i/n: fly the i-th of n parts; all fill the same directory");
+  command->add_flag("--resume", o.resume, "fly what is missing in an existing directory");
+  command->add_flag("--force", o.force, "begin again in an existing directory of a batch");
+  command->require_subcommand(0, 1);
+  command->footer(
+      "Example:\n  quad_experiment batch --spec config/monte_carlo.yaml --out results/monte_carlo\n"
+      "Exit code: 0 every run has its row, 2 bad input, 5 environment, 130/143 interrupted "
+      "(--resume goes on).");
+  addBatchParts(*command, all, chosen);
+  command->callback([&, command] {
+    if (command->get_subcommands().empty()) chosen = [&o] { return batch(o); };
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -92,6 +161,7 @@ int main(int argc, char** argv) {
   addCheck(app, options.check, chosen);
   addPercentiles(app, options.percentiles, chosen);
   addStep(app, options.step, chosen);
+  addBatch(app, options, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -10,6 +10,22 @@ namespace quad_support {
 /// @throws EnvironmentError naming path and reason; `path` is then as it was before
 void writeFileAtomically(const std::string& path, std::string_view content);
 
+/// A file too large for memory, written in pieces beside `path`. Without commit() nothing is left of it.
+class AsideFile {
+ public:
+  explicit AsideFile(const std::string& path);  ///< @throws EnvironmentError naming path and reason
+  ~AsideFile();
+  AsideFile(const AsideFile&) = delete;
+  AsideFile& operator=(const AsideFile&) = delete;
+
+  void append(std::string_view content);  ///< @throws EnvironmentError
+  void commit();                          ///< flushes to the disk and renames into place; @throws EnvironmentError
+
+ private:
+  std::string path_, aside_;
+  int fd_ = -1;
+};
+
 /// @throws std::invalid_argument (bad input) naming path and reason
 std::string readFile(const std::string& path);
 

@@ -23,6 +23,12 @@ struct Range {
   static Range open(double min, double max, std::string unit = "");
 };
 
+/// Another value for a key of a file: `design.gamma_w`, `control.altitude[0]`.
+struct Override {
+  std::string key;    ///< keys from the top, joined by dots; [i] points into a list
+  std::string value;  ///< as YAML: 20, [1, 2], sin
+};
+
 /// A map of a YAML file. Reading a key marks it as known; finish() complains about the rest.
 ///
 /// All member functions throw ConfigError with `file:line: section.key = value; …` for a missing or unknown key, a key
@@ -32,15 +38,23 @@ class ConfigReader {
   /// @throws std::invalid_argument if the file cannot be read, ConfigError if it is not a YAML map
   static ConfigReader fromFile(const std::string& path);
   static ConfigReader fromText(const std::string& text, const std::string& name);
+  /// The text with other values for some keys, in order; a key may be new in a section that is there.
+  /// @throws ConfigError for a section or list entry that is not in the text
+  static ConfigReader fromText(const std::string& text, const std::string& name, const std::vector<Override>& overrides);
 
   ConfigReader section(const std::string& key) const;
   bool has(const std::string& key) const;  ///< whether the key is there; marks it as known
   bool isSection(const std::string& key) const;
+  std::vector<std::string> keys() const;  ///< in the file's order; marks none as known
 
   double number(const std::string& key, const Range& range) const;
   std::int64_t integer(const std::string& key, std::int64_t min, std::int64_t max) const;
   bool boolean(const std::string& key) const;
   std::string text(const std::string& key) const;
+  /// Any value, as YAML on one line.
+  std::string value(const std::string& key) const;
+  /// The entries of a list of any values (not empty), each as YAML on one line.
+  std::vector<std::string> values(const std::string& key) const;
   /// One of `choices`; the message lists them.
   std::string choice(const std::string& key, const std::vector<std::string>& choices) const;
   /// A list of numbers. @param size  required length, 0 for any (not empty)
