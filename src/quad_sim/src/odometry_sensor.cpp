@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 #include "quad_support/number_format.hpp"
 
@@ -143,6 +144,7 @@ std::optional<Odometry> OdometryDelay::at(std::int64_t step, const Odometry& tru
 void OdometryDelay::archive(StateArchive& archive) {
   auto count = static_cast<std::int64_t>(waiting_.size());
   archive(count);
+  if (count < 0 || count > 1000000) throw std::out_of_range("OdometryDelay: not a number of samples");
   waiting_.resize(static_cast<std::size_t>(count));
   for (Sample& s : waiting_) {
     archive(s.due);

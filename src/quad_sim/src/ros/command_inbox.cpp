@@ -9,7 +9,7 @@ void CommandInbox::put(std::int64_t stamp_ns, ArrivedCommand command) {
   constexpr std::size_t kKept = 64;  // a controller is at most a few intervals ahead of or behind the simulator
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    latest_ = command;
+    if (command.problem.empty()) latest_ = command;
     by_stamp_[stamp_ns] = std::move(command);
     if (by_stamp_.size() > kKept) by_stamp_.erase(by_stamp_.begin());
   }

@@ -26,7 +26,7 @@ class CommandInbox {
   /// Waits for the command of that stamp; nullopt after `timeout` [s] or when stop() was called.
   /// A timeout above kLongestWait is cut to it; one that is negative or no number does not wait.
   std::optional<ArrivedCommand> waitFor(std::int64_t stamp_ns, double timeout);
-  /// The command that arrived last since clear(), if any.
+  /// The usable command that arrived last since clear(), if any.
   std::optional<ArrivedCommand> latest() const;
   void clear();
   void stop();  ///< wakes whoever waits, for good

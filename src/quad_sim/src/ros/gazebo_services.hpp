@@ -1,10 +1,9 @@
-/// The services of Gazebo's ROS interface that this simulator has.
+/// The services of Gazebo's ROS interface that act on the world: pausing, resetting, properties.
 #pragma once
 
-#include <gazebo_msgs/GetModelState.h>
 #include <gazebo_msgs/GetPhysicsProperties.h>
 #include <gazebo_msgs/GetWorldProperties.h>
-#include <gazebo_msgs/SetModelState.h>
+#include <gazebo_msgs/SetPhysicsProperties.h>
 #include <ros/ros.h>
 #include <std_srvs/Empty.h>
 
@@ -14,8 +13,7 @@
 
 namespace quad_sim {
 
-/// /gazebo/pause_physics and its siblings. Like Gazebo's, a call that cannot be fulfilled succeeds
-/// and says success: false.
+/// /gazebo/pause_physics and its siblings. Like Gazebo's, a call that cannot be fulfilled succeeds and says success: false.
 class GazeboServices {
  public:
   GazeboServices(SimWorld& world, ros::NodeHandle& handle);
@@ -26,15 +24,11 @@ class GazeboServices {
   bool onUnpause(Empty::Request&, Empty::Response&);
   bool onResetWorld(Empty::Request&, Empty::Response&);
   bool onResetSimulation(Empty::Request&, Empty::Response&);
-  bool onGetModelState(gazebo_msgs::GetModelState::Request&, gazebo_msgs::GetModelState::Response&);
-  bool onSetModelState(gazebo_msgs::SetModelState::Request&, gazebo_msgs::SetModelState::Response&);
-  bool onGetWorldProperties(gazebo_msgs::GetWorldProperties::Request&,
-                            gazebo_msgs::GetWorldProperties::Response&);
-  bool onGetPhysicsProperties(gazebo_msgs::GetPhysicsProperties::Request&,
-                              gazebo_msgs::GetPhysicsProperties::Response&);
+  bool onGetWorldProperties(gazebo_msgs::GetWorldProperties::Request&, gazebo_msgs::GetWorldProperties::Response&);
+  bool onGetPhysicsProperties(gazebo_msgs::GetPhysicsProperties::Request&, gazebo_msgs::GetPhysicsProperties::Response&);
+  bool onSetPhysicsProperties(gazebo_msgs::SetPhysicsProperties::Request&, gazebo_msgs::SetPhysicsProperties::Response&);
 
   SimWorld& world_;
-  unsigned sequence_ = 0;  ///< of get_model_state's answers
   std::vector<ros::ServiceServer> servers_;
 };
 

@@ -33,19 +33,25 @@ void Pacer::setRunning(bool running) {
   changed_.notify_all();
 }
 
-/// Runs what is due since `since`, of which `done` steps are done already. Returns the steps done
-/// then.
-std::int64_t Pacer::runDue(Clock::time_point since, std::int64_t done) {
+void Pacer::setRate(double step, double real_time_factor) {
+  step_ = step;
+  real_time_factor_ = real_time_factor;
+  since_ = Clock::now();
+  done_ = 0;
+}
+
+/// Runs what is due since `since_`, of which `done_` steps are done already.
+void Pacer::runDue() {
   // At most this much at a time, so that callers get in between: about 10 ms of simulated time.
   const std::int64_t most = std::max<std::int64_t>(1, std::llround(0.01 / step_));
   std::int64_t due = most;
   if (real_time_factor_ > 0) {
-    const double elapsed = std::chrono::duration<double>(Clock::now() - since).count();
-    due = static_cast<std::int64_t>(elapsed * real_time_factor_ / step_) - done;
+    const double elapsed = std::chrono::duration<double>(Clock::now() - since_).count();
+    due = static_cast<std::int64_t>(elapsed * real_time_factor_ / step_) - done_;
   }
   const std::int64_t steps = std::clamp<std::int64_t>(due, 0, most);
   run_(steps);
-  return done + steps;
+  done_ += steps;
 }
 
 void Pacer::loop() {
@@ -53,17 +59,18 @@ void Pacer::loop() {
   std::unique_lock<std::mutex> lock(gate_.mutex());
   while (!stop_) {
     changed_.wait(lock, [this] { return running_ || stop_; });
-    const auto since = Clock::now();
-    std::int64_t done = 0;
+    since_ = Clock::now();
+    done_ = 0;
     while (running_ && !stop_) {
       try {
-        done = runDue(since, done);
+        runDue();
       } catch (const quad_support::SimulationError& e) {
         ROS_FATAL("%s; paused", e.what());
         running_ = false;
       }
+      const bool nap = real_time_factor_ > 0;
       lock.unlock();
-      if (real_time_factor_ > 0) std::this_thread::sleep_for(kNap);
+      if (nap) std::this_thread::sleep_for(kNap);
       while (gate_.wanted()) std::this_thread::yield();
       lock.lock();
     }

@@ -24,6 +24,7 @@ class Pacer {
   Pacer(WorldGate& gate, double step, double real_time_factor, Run run);
   ~Pacer();
 
+  void setRate(double step, double real_time_factor);  ///< from within a visit
   double realTimeFactor() const { return real_time_factor_; }
   bool running() const {
     return running_;
@@ -32,7 +33,7 @@ class Pacer {
 
  private:
   void loop();
-  std::int64_t runDue(std::chrono::steady_clock::time_point since, std::int64_t done);
+  void runDue();
 
   WorldGate& gate_;
   double step_, real_time_factor_;
@@ -40,6 +41,8 @@ class Pacer {
   std::condition_variable changed_;
   std::atomic<bool> running_{false};  ///< changed under the gate only
   bool stop_ = false;
+  std::int64_t done_ = 0;  ///< steps since since_
+  std::chrono::steady_clock::time_point since_;
   std::thread thread_;
 };
 

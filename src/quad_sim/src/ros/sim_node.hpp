@@ -4,7 +4,10 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include <vector>
+
 #include "gazebo_services.hpp"
+#include "model_services.hpp"
 #include "sim_world.hpp"
 #include "step_service.hpp"
 
@@ -14,16 +17,17 @@ namespace quad_sim {
 /// a command.
 class SimNode {
  public:
-  SimNode(const SimulationConfig& config, const SimNodeOptions& options)
-      : world_(config, options),
+  SimNode(const std::vector<VehicleSpec>& fleet, const SimNodeOptions& options)
+      : world_(fleet, options),
         handle_(withQueue(queue_)),
         step_(world_, handle_),
         gazebo_(world_, handle_),
+        models_(world_, handle_),
         spinner_(1, &queue_) {
     spinner_.start();
   }
   ~SimNode() {
-    world_.inbox().stop();  // whoever waits for a command gets an answer
+    world_.stopWaiting();
     spinner_.stop();
   }
 
@@ -39,6 +43,7 @@ class SimNode {
   ros::NodeHandle handle_;
   StepService step_;
   GazeboServices gazebo_;
+  ModelServices models_;
   ros::AsyncSpinner spinner_;
 };
 

@@ -1,4 +1,4 @@
-// The simulator node. Parameters: ~config, ~odometry_every, ~paused, ~real_time_factor; see launch/sim.launch.
+// The simulator node. Parameters: ~config, ~publish_every (or ~odometry_every), ~paused, ~vehicles, ~real_time_factor; see launch/sim.launch.
 #include <ros/ros.h>
 
 #include <chrono>
@@ -8,6 +8,7 @@
 
 #include "quad_support/interrupt.hpp"
 #include "quad_support/program.hpp"
+#include "fleet.hpp"
 #include "sim_node.hpp"
 
 namespace {
@@ -15,10 +16,10 @@ namespace {
 quad_sim::SimNodeOptions readOptions(const ros::NodeHandle& own, double step) {
   quad_sim::SimNodeOptions options;
   const int ten_milliseconds = static_cast<int>(std::max(1.0, std::round(0.01 / step)));
-  options.odometry_every = own.param("odometry_every", ten_milliseconds);
+  options.publish_every = own.param("publish_every", own.param("odometry_every", ten_milliseconds));
   options.real_time_factor = own.param("real_time_factor", 1.0);
   options.paused = own.param("paused", true);
-  if (options.odometry_every < 0) throw std::invalid_argument("~odometry_every must be >= 0 physics steps");
+  if (options.publish_every < 0) throw std::invalid_argument("~publish_every must be >= 0 physics steps");
   if (!(options.real_time_factor >= 0) || !std::isfinite(options.real_time_factor)) {
     throw std::invalid_argument("~real_time_factor must be >= 0 (0: as fast as possible)");
   }
@@ -33,8 +34,8 @@ int run(int argc, char** argv) {
     throw std::invalid_argument("parameter ~config is missing; give the path of a YAML file, for instance "
                                 "roslaunch launch/sim.launch config:=config/thesis.yaml");
   }
-  const quad_sim::SimulationConfig config = quad_sim::readSimulationConfig(path);
-  const quad_sim::SimNode node(config, readOptions(own, config.options.step));
+  const std::vector<quad_sim::VehicleSpec> fleet = quad_sim::readFleet(own, path);
+  const quad_sim::SimNode node(fleet, readOptions(own, fleet.front().config.options.step));
   while (ros::ok()) {
     quad_support::throwIfInterrupted();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -1,78 +1,90 @@
 #include "sim_world.hpp"
 
-#include <fmt/core.h>
+#include <gazebo_msgs/ModelStates.h>
 #include <rosgraph_msgs/Clock.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "quad_sim/plugin.hpp"
+#include "model_state.hpp"
 #include "quad_sim_ros/conversions.hpp"
+#include "world_state.hpp"
 
 namespace quad_sim {
 
-SimWorld::SimWorld(const SimulationConfig& config, const SimNodeOptions& options)
-    : config_(config),
-      options_(options),
-      simulator_(makeSimulator(config, loadVehicle(config))),
-      topics_(simulator_, config.vehicle_namespace, handle_),
-      pacer_(gate_, config.options.step, options.real_time_factor,
-             [this](std::int64_t steps) { run(steps); }) {
-  for (const std::string& plugin : ignoredPlugins(simulator_.model())) {
-    ROS_INFO("without effect in this version: %s", plugin.c_str());
-  }
+SimWorld::SimWorld(const std::vector<VehicleSpec>& fleet, const SimNodeOptions& options)
+    : options_(options),
+      pacer_(gate_, fleet.at(0).config.options.step, options.real_time_factor, [this](std::int64_t n) { run(n); }) {
   constexpr int kQueueLength = 10;
   clock_pub_ = handle_.advertise<rosgraph_msgs::Clock>("/clock", kQueueLength, true);
-  const WorldGate::Visit visit(gate_);
+  models_pub_ = handle_.advertise<gazebo_msgs::ModelStates>("/gazebo/model_states", kQueueLength);
+  const WorldGate::Visit visit(gate_);  // commands that come meanwhile wait
   handle_.setCallbackQueue(&topic_queue_);
-  command_sub_ = handle_.subscribe("/" + vehicleName() + "/command/motor_speed", kQueueLength,
-                                   &SimWorld::onCommand, this, ros::TransportHints().tcpNoDelay());
+  for (const VehicleSpec& spec : fleet) {
+    vehicles_.push_back(std::make_unique<Vehicle>(spec, gate_, [this] { return running(); }, handle_));
+  }
   publish();
   pacer_.setRunning(!options.paused);
 }
 
 SimWorld::~SimWorld() {
-  command_sub_.shutdown();  // no callback from here on
-  inbox_.stop();
-}
-
-void SimWorld::onCommand(const mav_msgs::Actuators& message) {
-  ArrivedCommand command{message.angular_velocities, ""};
-  const std::size_t rotors = simulator_.model().rotors.size();
-  const bool finite = std::all_of(command.rotor_speed.begin(), command.rotor_speed.end(),
-                                  [](double w) { return std::isfinite(w); });
-  if (command.rotor_speed.size() != rotors) {
-    command.problem = fmt::format("{} rotor speeds; the vehicle has {} rotors",
-                                  command.rotor_speed.size(), rotors);
-  } else if (!finite) {
-    command.problem = "a rotor speed is not a finite number";
-  }
-  if (!command.problem.empty()) {
-    ROS_ERROR_THROTTLE(1.0, "/%s/command/motor_speed refused: %s; the earlier command stays",
-                       vehicleName().c_str(), command.problem.c_str());
-  }
-  inbox_.put(toNanoseconds(message.header.stamp), command);
-  if (!running()) return;  // setRunning() takes the latest from the inbox
+  for (auto& vehicle : vehicles_) vehicle->commands.stop();
   const WorldGate::Visit visit(gate_);
-  if (running() && command.problem.empty()) simulator_.setCommand(command.rotor_speed);
+  pacer_.setRunning(false);
 }
 
-bool SimWorld::isModel(const std::string& name) const {
-  return name == vehicleName() || name == simulator_.model().name;
+void SimWorld::stopWaiting() {
+  for (auto& vehicle : vehicles_) vehicle->commands.inbox().stop();
+}
+
+Vehicle* SimWorld::find(const std::string& name) {
+  Vehicle* found = nullptr;
+  for (auto& vehicle : vehicles_) {
+    if (vehicle->name == name) return vehicle.get();
+    if (vehicle->simulator.model().name != name) continue;
+    if (found) return nullptr;
+    found = vehicle.get();
+  }
+  return found;
+}
+
+void SimWorld::advance(std::int64_t steps) {
+  while (steps > 0) {
+    const std::int64_t now = first().simulator.stepCount();
+    std::int64_t chunk = std::min<std::int64_t>(steps, 1000000000);
+    for (auto& vehicle : vehicles_) chunk = std::min(chunk, vehicle->topics.nextEvent() - now);
+    for (auto& vehicle : vehicles_) {
+      const std::int64_t event = vehicle->topics.nextEvent();
+      vehicle->simulator.advance(static_cast<int>(chunk));
+      if (event == now + chunk) vehicle->topics.atEvent();
+    }
+    steps -= chunk;
+  }
 }
 
 void SimWorld::publish() {
   rosgraph_msgs::Clock clock;
-  clock.clock = toStamp(simulator_.timeNanoseconds());
+  clock.clock = toStamp(timeNanoseconds());
   clock_pub_.publish(clock);
-  topics_.publish();
+  for (auto& vehicle : vehicles_) vehicle->publish();
+  if (models_pub_.getNumSubscribers() > 0) publishModelStates();
+}
+
+void SimWorld::publishModelStates() {
+  gazebo_msgs::ModelStates states;
+  for (const auto& vehicle : vehicles_) {
+    const ModelState state = modelState(vehicle->simulator.state());
+    states.name.push_back(vehicle->name);
+    states.pose.push_back(poseMsg(state));
+    states.twist.push_back(twistMsg(state));
+  }
+  models_pub_.publish(states);
 }
 
 void SimWorld::setRunning(bool running) {
   if (running == pacer_.running()) return;
   if (running) {
-    const auto command = inbox_.latest();
-    if (command && command->problem.empty()) simulator_.setCommand(command->rotor_speed);
+    for (auto& vehicle : vehicles_) vehicle->commands.flyLatest();
   } else {
     publish();  // the state it stopped in, exactly
   }
@@ -80,18 +92,35 @@ void SimWorld::setRunning(bool running) {
 }
 
 void SimWorld::reset(bool time_too) {
-  inbox_.clear();
-  time_too ? simulator_.reset() : simulator_.resetWorld();
+  for (auto& vehicle : vehicles_) vehicle->reset(time_too);
+  publish();
+}
+
+void SimWorld::setPhysics(double step, double gravity, double real_time_factor) {
+  const double before = this->step();
+  for (auto& vehicle : vehicles_) vehicle->simulator.setPhysics(step, gravity);  // all the same: the first refuses for all
+  for (auto& vehicle : vehicles_) vehicle->topics.renew();
+  pacer_.setRate(step, real_time_factor);
+  if (options_.publish_every > 0) {
+    options_.publish_every = static_cast<int>(std::max(1.0, std::round(options_.publish_every * before / step)));
+  }
+}
+
+std::string SimWorld::save() { return saveWorld(vehicles_); }
+
+void SimWorld::restore(const std::string& state) {
+  restoreWorld(vehicles_, state);
+  for (auto& vehicle : vehicles_) vehicle->commands.clear();
   publish();
 }
 
 void SimWorld::run(std::int64_t steps) {
   while (steps > 0) {
     std::int64_t chunk = steps;
-    const std::int64_t every = options_.odometry_every;
-    if (every > 0) chunk = std::min(chunk, every - simulator_.stepCount() % every);
-    simulator_.advance(static_cast<int>(chunk));
-    if (every > 0 && simulator_.stepCount() % every == 0) publish();
+    const std::int64_t every = options_.publish_every;
+    if (every > 0) chunk = std::min(chunk, every - first().simulator.stepCount() % every);
+    advance(chunk);
+    if (every > 0 && first().simulator.stepCount() % every == 0) publish();
     steps -= chunk;
   }
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "quad_sim_ros/conversions.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/number_format.hpp"
@@ -32,32 +34,56 @@ StepService::StepService(SimWorld& world, ros::NodeHandle& handle)
     : world_(world), server_(handle.advertiseService("/gazebo/step", &StepService::onStep, this)) {}
 
 std::string StepService::groundMessage() {
-  const auto contact = world_.simulator().groundContactTime();
-  if (!contact) return "";
-  return "ground contact at " + quad_support::shortest(static_cast<double>(*contact) * 1e-9) + " s";
+  std::string text;
+  for (const auto& vehicle : world_.vehicles()) {
+    const auto contact = vehicle->simulator.groundContactTime();
+    if (!contact) continue;
+    if (!text.empty()) text += "; ";
+    if (world_.vehicles().size() > 1) text += vehicle->name + ": ";
+    text += "ground contact at " + quad_support::shortest(static_cast<double>(*contact) * 1e-9) + " s";
+  }
+  return text;
 }
 
-std::string StepService::run(const Step::Request& request) {
-  const std::string problem = impossible(request);
-  if (!problem.empty()) return problem;
+std::string StepService::collect(const Step::Request& request, std::vector<Order>& orders) {
   constexpr double kDefaultTimeout = 10.0;  // [s]
   const double timeout = request.timeout > 0 ? request.timeout : kDefaultTimeout;
   const std::int64_t stamp = toNanoseconds(request.command_stamp);
-  const auto command =
-      stamp == 0 ? world_.inbox().latest() : world_.inbox().waitFor(stamp, timeout);
-  if (stamp != 0 && !command) {
-    return fmt::format("no command stamped {}.{:09} s on /{}/command/motor_speed within {} s",
-                       request.command_stamp.sec, request.command_stamp.nsec, world_.vehicleName(),
-                       quad_support::shortest(timeout));
+  for (const std::string& name : request.wait_for) {
+    if (!world_.find(name)) return fmt::format("wait_for: no vehicle '{}'", name);
   }
-  const bool usable = command && command->problem.empty();
-  if (stamp != 0 && !usable) return "the command was refused: " + command->problem;
+  for (const auto& vehicle : world_.vehicles()) {
+    const bool awaited = std::any_of(request.wait_for.begin(), request.wait_for.end(),
+                                     [&](const std::string& name) { return world_.find(name) == vehicle.get(); });
+    CommandInbox& inbox = vehicle->commands.inbox();
+    if (stamp == 0 || (!awaited && !request.wait_for.empty())) {
+      orders.push_back({vehicle.get(), inbox.latest()});
+      continue;
+    }
+    orders.push_back({vehicle.get(), inbox.waitFor(stamp, timeout)});
+    if (!orders.back().command) {
+      return fmt::format("no command stamped {}.{:09} s on /{}/command/motor_speed within {} s",
+                         request.command_stamp.sec, request.command_stamp.nsec, vehicle->name,
+                         quad_support::shortest(timeout));
+    }
+    const std::string& problem = orders.back().command->problem;
+    if (!problem.empty()) return "the command was refused: " + problem;
+  }
+  return "";
+}
+
+std::string StepService::run(const Step::Request& request) {
+  std::string problem = impossible(request);
+  std::vector<Order> orders;
+  if (problem.empty()) problem = collect(request, orders);
+  if (!problem.empty()) return problem;
   const WorldGate::Visit visit(world_.gate());
   if (world_.running()) return kRunning;
-  Simulator& simulator = world_.simulator();
-  simulator.advance(static_cast<int>(request.hold_steps));
-  if (usable && request.steps > 0) simulator.setCommand(command->rotor_speed);
-  simulator.advance(static_cast<int>(request.steps - request.hold_steps));
+  world_.advance(request.hold_steps);
+  for (const Order& order : orders) {
+    if (order.command && request.steps > 0) order.vehicle->simulator.setCommand(order.command->rotor_speed);
+  }
+  world_.advance(request.steps - request.hold_steps);
   world_.publish();
   return "";
 }
@@ -72,9 +98,9 @@ bool StepService::onStep(Step::Request& request, Step::Response& response) {
   }
   const WorldGate::Visit visit(world_.gate());
   if (response.success) response.message = groundMessage();
-  response.stamp = toTime(world_.simulator().timeNanoseconds());
-  response.odometry = world_.topics().odometry();
-  response.motor_speed = world_.topics().motorSpeed();
+  response.stamp = toTime(world_.timeNanoseconds());
+  response.odometry = world_.first().topics.odometry();
+  response.motor_speed = world_.first().topics.motorSpeed();
   return true;
 }
 

@@ -4,7 +4,9 @@
 #include <quad_sim/Step.h>
 #include <ros/ros.h>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "sim_world.hpp"
 
@@ -19,6 +21,12 @@ class StepService {
  private:
   bool onStep(Step::Request& request, Step::Response& response);
   std::string run(const Step::Request& request);  ///< what went wrong; empty if nothing did
+  /// A command to fly with, if there is one.
+  struct Order {
+    Vehicle* vehicle;
+    std::optional<ArrivedCommand> command;
+  };
+  std::string collect(const Step::Request& request, std::vector<Order>& orders);  ///< waits; what went wrong
   std::string groundMessage();
 
   SimWorld& world_;

@@ -5,10 +5,13 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 
+#include <cstdint>
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "imu_topic.hpp"
+#include "odometry_topics.hpp"
 #include "quad_sim/simulator.hpp"
 
 namespace quad_sim {
@@ -17,26 +20,32 @@ namespace quad_sim {
 class VehicleTopics {
  public:
   /// @param name  the vehicle's namespace, without slashes at its ends
-  /// @throws std::invalid_argument if the vehicle has no odometry sensor
-  VehicleTopics(const Simulator& simulator, const std::string& name, const ros::NodeHandle& handle);
+  /// @throws std::invalid_argument if the vehicle has no odometry sensor, quad_support::ConfigError for a sensor's tags
+  VehicleTopics(const Simulator& simulator, const std::string& name, ros::NodeHandle& handle);
 
-  void publish();
-  const nav_msgs::Odometry& odometry() const { return last_odometry_; }  ///< published last
-  const mav_msgs::Actuators& motorSpeed() const {
-    return last_motor_speed_;
-  }  ///< of the same instant
+  void start();   ///< after a reset: forgets samples on their way, senses step 0
+  void renew();   ///< after a change of the physics step
+  std::int64_t nextEvent() const;  ///< step of the next instant of a sensor of its own
+  void atEvent();                  ///< to be called there
+  void publish();                  ///< everything else, now
+  void archive(StateArchive& archive);
+
+  const nav_msgs::Odometry& odometry() const { return odometry_.front()->last(); }  ///< of the primary sensor
+  const mav_msgs::Actuators& motorSpeed() const { return last_motor_speed_; }       ///< of the latest publish()
 
  private:
-  void publishOthers(const Measurement& measured);
+  void publishRotors(const std::vector<double>& speed);
+  void publishHeld();
+  void turnRotors(const std::vector<double>& speed);
 
   const Simulator& simulator_;
   std::string name_;
-  const SensorModel* primary_ =
-      nullptr;  ///< the odometry sensor controllers listen to: the URDF's first
-  nav_msgs::Odometry last_odometry_;
+  std::vector<std::unique_ptr<OdometryTopics>> odometry_;  ///< the first is the one controllers listen to
+  std::vector<std::unique_ptr<ImuTopic>> imus_;
   mav_msgs::Actuators last_motor_speed_;
-  ros::Publisher odometry_pub_, motor_speed_pub_, relay_pub_, tf_pub_;
-  std::vector<std::pair<const SensorModel*, ros::Publisher>> other_odometry_;
+  std::vector<double> angle_, speed_before_;  ///< of the rotors, for joint_states [rad, rad/s]
+  std::int64_t turned_ns_ = 0;                ///< to when `angle_` is
+  ros::Publisher motor_speed_pub_, relay_pub_, tf_pub_, joints_pub_, wind_pub_;
   std::vector<ros::Publisher> rotor_pubs_;
 };
 
