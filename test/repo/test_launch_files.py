@@ -28,6 +28,8 @@ class LaunchFiles(unittest.TestCase):
             self.assertEqual(found[node + "/config"], folder + "/a/b.yaml")
         found, folder = self.parameters("sim.launch", "config:=a.yaml")
         self.assertEqual(found["/gazebo/config"], folder + "/a.yaml")
+        found, folder = self.parameters("replay.launch", "config:=a.yaml", "bag:=b.bag")
+        self.assertEqual(found["/hummingbird/attitude_altitude_controller/config"], folder + "/a.yaml")
 
     def test_absolute_paths_and_values_arrive_unchanged(self):
         found, _ = self.parameters("experiment.launch", "config:=/c d/e.yaml", "out:=/results/true", "mode:=wallclock",

@@ -37,6 +37,11 @@ struct BatchReplayOptions {
   std::string spec, batch, out;
   bool force = false;
 };
+struct ExportOptions {
+  std::string results;
+  std::string out;  ///< "": export/ in the results directory
+  bool bag = false, mat = false, parquet = false, plotjuggler = false;
+};
 
 // All return an exit code and throw what quad_support::runProgram() understands.
 int run(const RunOptions& options);
@@ -47,3 +52,4 @@ int batchDescribe(const BatchCommandOptions& options);
 int batchWorker(const BatchCommandOptions& options);
 int batchReplay(const BatchReplayOptions& options);
 int step(const StepOptions& options);
+int exportRun(const ExportOptions& options);

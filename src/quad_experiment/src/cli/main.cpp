@@ -16,6 +16,7 @@ struct Options {
   StepOptions step;
   BatchCommandOptions batch;
   BatchReplayOptions replay;
+  ExportOptions exported;
 };
 
 void addRun(CLI::App& app, RunOptions& o, std::function<int()>& chosen) {
@@ -143,6 +144,22 @@ void addBatch(CLI::App& app, Options& all, std::function<int()>& chosen) {
   });
 }
 
+void addExport(CLI::App& app, ExportOptions& o, std::function<int()>& chosen) {
+  auto* command = app.add_subcommand(
+      "export", "Write a finished run for ROS tools, MATLAB, pandas or PlotJuggler (needs Python)");
+  command->add_option("results", o.results, "directory of a finished run")->required();
+  command->add_option("--out", o.out, "directory for the files; default: export/ in the results");
+  command->add_flag("--bag", o.bag, "a ROS 1 bag a flight, for rosbag, rqt and replay_bag");
+  command->add_flag("--mat", o.mat,
+                    "a .mat a flight: y, u, Ts, names and units, as iddata takes them");
+  command->add_flag("--parquet", o.parquet, "all flights in one table, for pandas");
+  command->add_flag("--plotjuggler", o.plotjuggler, "CSV files and a layout that loads them");
+  command->footer(
+      "Example:\n  quad_experiment export results/thesis --bag --mat\n"
+      "Exit code: 0 done, 2 not a finished run, 5 a Python package or the disk is missing.");
+  command->callback([&] { chosen = [&o] { return exportRun(o); }; });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -162,6 +179,7 @@ int main(int argc, char** argv) {
   addPercentiles(app, options.percentiles, chosen);
   addStep(app, options.step, chosen);
   addBatch(app, options, chosen);
+  addExport(app, options.exported, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

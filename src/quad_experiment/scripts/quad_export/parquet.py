@@ -1,0 +1,32 @@
+"""Parquet: trajectories.parquet, all flights in one table with a column `flight`; units, config.yaml and summary.json in its metadata."""
+import json
+import os
+
+import numpy as np
+
+from .flights import Missing, unit, write_whole
+
+
+def write(run, folder):
+    try:
+        import pyarrow
+        import pyarrow.parquet
+    except ImportError as error:
+        raise Missing("--parquet needs %s; run: scripts/setup" % error.name)
+    tables = []
+    for flight in run.flights:
+        columns, fields = [pyarrow.array([flight.name] * len(flight["k"])).dictionary_encode()], [pyarrow.field(
+            "flight", pyarrow.dictionary(pyarrow.int32(), pyarrow.string()))]
+        for name, values in flight.columns.items():
+            if name == "phase":
+                column = pyarrow.array(list(values)).dictionary_encode()
+            elif name == "k":
+                column = pyarrow.array(values.astype(np.int64))
+            else:
+                column = pyarrow.array(values, from_pandas=True)   # NaN: there is no such value
+            columns.append(column)
+            fields.append(pyarrow.field(name, column.type, metadata={"unit": unit(name)}))
+        tables.append(pyarrow.Table.from_arrays(columns, schema=pyarrow.schema(fields)))
+    table = pyarrow.concat_tables(tables).unify_dictionaries()
+    table = table.replace_schema_metadata({"config.yaml": run.config_text, "summary.json": json.dumps(run.summary)})
+    return [write_whole(os.path.join(folder, "trajectories.parquet"), lambda path: pyarrow.parquet.write_table(table, path))]
