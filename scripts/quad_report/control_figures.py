@@ -28,7 +28,7 @@ def altitude_input(run):
     fig, axis = style.figure()
     t, final = flight["t"][used], flight["u1_cmd"][used][-1]
     axis.step(t, flight["u1_cmd"][used], where="post", color=style.OURS, linewidth=1.6, label=r"$U_1$")
-    axis.step(t, flight["u1_fb"][used], where="post", color=style.TRUTH, linewidth=0.6, label=r"$U_1^\mathrm{FB}$")
+    axis.step(t, flight["u1_fb"][used], where="post", color=style.ORANGE, linewidth=0.7, label=r"$U_1^\mathrm{FB}$")
     axis.axhline(weight, color=style.GREEN, linewidth=0.9, linestyle="--", label="m g = %.4f N" % weight)
     axis.axhline(thesis.WEIGHT, color=style.THESIS, linewidth=0.8, linestyle="-.", label="m g, thesis: %.4f N" % thesis.WEIGHT)
     axis.set(xlabel="t (s)", ylabel="Thrust (N)", title="Control Input - Altitude Controller")

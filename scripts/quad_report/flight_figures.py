@@ -17,7 +17,7 @@ def exploration_input(run, name):
     t = flight["t"][flown]
     fig, axis = style.figure()
     axis.step(t, flight["u1_cmd"][flown], where="post", color=style.FLIGHT[name], linewidth=1.5, label=r"$U_1$")
-    axis.step(t, flight["u1_fb"][flown], where="post", color=style.TRUTH, linewidth=0.6, label=r"$U_1^\mathrm{FB}$")
+    axis.step(t, flight["u1_fb"][flown], where="post", color=style.ORANGE, linewidth=0.7, label=r"$U_1^\mathrm{FB}$")
     axis.axhline(run.feedforward, color=style.GREEN, linewidth=0.9, linestyle="--", label=r"$\hat m_0 g$ = %.4f N" % run.feedforward)
     if abs(run.feedforward - thesis.FEED_FORWARD) < 5e-4:
         axis.plot([t[-1]], [thesis.FEED_FORWARD], ">", color=style.THESIS, markersize=4, clip_on=False,
