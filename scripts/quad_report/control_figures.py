@@ -17,8 +17,9 @@ def attitude_inputs(run):
     axis.set(xlabel="t (s)", ylabel="torque (N m)")
     style.legend(axis, ncol=3, loc="upper right")
     axis.margins(y=0.25)
-    return fig, ("Commands of the attitude and heading controllers while the altitude steps by 1 m. The vehicle starts level and is "
-                 "symmetric, so what they have to mend is rounding (largest: %s N m); the thesis finds them almost null, too." % number(largest, 2))
+    return fig, ("Commands of the attitude and heading controllers while the altitude steps by 1 m. The vehicle starts level and "
+                 "is symmetric, so what they have to mend is rounding (largest: %s N m); the thesis finds them almost null, "
+                 "too." % number(largest, 2))
 
 
 def altitude_input(run):

@@ -40,7 +40,8 @@ def cost(run):
         caption += "The thesis stops at 3.29. "
     axis.set(xlabel="iteration", ylabel=r"$\gamma_e$ (N)")
     style.legend(axis, loc="upper right")
-    return fig, caption + "No signal on these lines below the dashed bound can make the promise; the published algorithm creeps towards it."
+    return fig, caption + ("No signal on these lines below the dashed bound can make the promise; the published algorithm creeps "
+                           "towards it.")
 
 
 def change(run):

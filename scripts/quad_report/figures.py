@@ -2,7 +2,7 @@
 from collections import namedtuple
 from functools import partial
 
-from . import control_figures, design_figures, flight_figures, graph_figure, knowledge_figures, timing_figures
+from . import comparison_figure, control_figures, design_figures, flight_figures, graph_figure, knowledge_figures, timing_figures
 
 Entry = namedtuple("Entry", "name number title section wide draw")
 
@@ -12,6 +12,7 @@ SECTIONS = ("The promise", "Simulator and time", "Pre-stabilising control", "Des
 ENTRIES = (
     Entry("nested_sets", "", "Nested uncertainty sets, targeted", 0, True, partial(knowledge_figures.shadows, name="targeted")),
     Entry("ranking", "", "Targeted against random", 0, True, knowledge_figures.ranking),
+    Entry("comparison", "", "The targeted signal among textbook signals", 0, True, comparison_figure.draw),
     Entry("nested_sets_random", "", "The same sets, random signal", 0, True, partial(knowledge_figures.shadows, name="random")),
     Entry("nested_in_space", "", "Nested sets in space", 0, False, knowledge_figures.nested_in_space),
     Entry("rotor_speeds", "", "Rotor speeds against limits", 0, False, flight_figures.rotor_speeds),

@@ -29,8 +29,8 @@ def exploration_input(run, name):
     style.legend(axis, ncol=2, loc="upper right")
     explored = flight.inputs
     error = flight["u1_fb"][explored] - flight["u1_cmd"][explored]
-    return fig, ("Hold, then exploration (dotted line). Commanded thrust and thrust rebuilt from measured rotor speeds; their difference is "
-                 "%.3f N rms%s." % (np.sqrt(np.mean(error ** 2)),
+    return fig, ("Hold, then exploration (dotted line). Commanded thrust and thrust rebuilt from measured rotor speeds; their "
+                 "difference is %.3f N rms%s." % (np.sqrt(np.mean(error ** 2)),
                                     "" if name == "targeted" else ": rotors follow a random signal less well than a designed one"))
 
 

@@ -47,9 +47,10 @@ def draw(run):
         for name in sorted(targets):
             arrow(axis, middle, boxes[name], style.VERMILION)
     idle = [t for t, u in sorted(graph["topics"].items()) if t not in HIDDEN_TOPICS and t not in topics]
-    return fig, ("Graph of nodes and topics as the ROS master gave it during the hold of the first flight. Rounded: nodes with the services they "
-                 "offer; square: topics somebody listens to. Whoever calls a service is not known to the master: the experiment calls the "
-                 "time manager and the controller's set_flight_plan, the time manager calls the simulator. Topics without a listener: %s."
+    return fig, ("Graph of nodes and topics as the ROS master gave it during the hold of the first flight. Rounded: nodes with the "
+                 "services they offer; square: topics somebody listens to. Whoever calls a service is not known to the master: the "
+                 "experiment calls the time manager and the controller's set_flight_plan, the time manager calls the simulator. "
+                 "Topics without a listener: %s."
                  % (", ".join(idle) or "none"))
 
 

@@ -72,9 +72,9 @@ def caption(run, name, sets):
         return ("The %s data falsify \u03b3_w: G = %.3g < 0, the set is empty and no D_bd exists. Dotted: D_init around the "
                 "initial estimate." % (name, sets.G))
     inside = float((sets.truth - sets.estimate) @ np.linalg.solve(sets.D_bd, sets.truth - sets.estimate)) <= 1
-    text = ("Uncertainty in the three entries that carry dT and m, %s flight: the set D_bd that the data guarantee, the accuracy asked for, "
-            "D_des, and the initial ignorance, D_init, all around the estimate (dotted: D_init around the initial estimate, the truth on "
-            "its boundary). D_bd %s inside D_des; the truth lies %s the shadow of D_bd in this space" % (
+    text = ("Uncertainty in the three entries that carry dT and m, %s flight: the set D_bd that the data guarantee, the accuracy "
+            "asked for, D_des, and the initial ignorance, D_init, all around the estimate (dotted: D_init around the initial "
+            "estimate, the truth on its boundary). D_bd %s inside D_des; the truth lies %s the shadow of D_bd in this space" % (
                 name, "lies" if verdict["chain"]["bd_within_des"] else "is NOT", "inside" if inside else "OUTSIDE"))
     if not verdict["chain"]["des_within_init"]:
         text += ". This run asks for less than was known to begin with (D_des is wider than D_init)"
@@ -145,8 +145,8 @@ def ranking(run):
         axis.set_yticks(range(len(bars)))
         axis.set_yticklabels([b[0] for b in bars] if axis is axes[0] else [])
         axis.grid(axis="y", visible=False)
-    return fig, ("Signals of equal energy. Left: how well the data determine the model, per \u03b3_w; the design asks for %g. Middle: whether "
-                 "\u03b3_w was a bound at all. Right: the error, which only a simulation knows.%s" % (asked, words))
+    return fig, ("Signals of equal energy. Left: how well the data determine the model, per \u03b3_w; the design asks for %g. "
+                 "Middle: whether \u03b3_w was a bound at all. Right: the error, which only a simulation knows.%s" % (asked, words))
 
 
 def among_seeds(run):

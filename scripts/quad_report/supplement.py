@@ -1,7 +1,8 @@
 """What figures need and a run does not leave, made once by the run's own programs and kept beside it in <results>/report/.
 
-An altitude step (Figs 2.2, 2.3), the published algorithm's iterations (Figs 2.5 to 2.7), and the same flights without simulated
-timing noise. All are deterministic; wall times are left out of what is kept. A wall-clock run's timing (Figs 1.6, 1.7) is copied.
+An altitude step (Figs 2.2, 2.3), the published algorithm's iterations (Figs 2.5 to 2.7), the same flights without simulated
+timing noise, and textbook signals of equal energy. All are deterministic; wall times are left out of what is kept. The timing of a
+wall-clock run (Figs 1.6, 1.7) is copied.
 """
 import json
 import os
@@ -19,6 +20,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__
 FOLDER = "report"
 LIMIT = 300     # [s] for one program
 STEP_SECONDS = 10.0
+COMPARED_SEEDS = 5
 # Stops when cost and step change less than this, relatively: the thesis stops at a threshold, too, without naming it.
 COST_TOLERANCE, STEP_TOLERANCE = "1e-5", "1e-2"
 
@@ -123,6 +125,15 @@ def without_timing_noise(run):
     return read_json(kept(run, "without_timing_noise.json", make))
 
 
+def comparison(run):
+    """Textbook signals of the same energy, flown with the same simulated middleware: comparison.json of `quad_experiment compare`."""
+    def make(folder):
+        call([program("quad_experiment", "quad_experiment"), "compare", "--config", in_process_config(run, folder, noisy=True),
+              "--seeds", str(COMPARED_SEEDS), "--out", os.path.join(folder, "compare")])
+        return text_of(folder, "compare", "comparison.json")
+    return read_json(kept(run, "comparison.json", make))
+
+
 def prepare(run):
     """Makes what is missing, all at once. What cannot be made is left to the figure that needs it, which says so."""
     def attempt(make):
@@ -130,8 +141,9 @@ def prepare(run):
             make(run)
         except Gap:
             pass
-    with ThreadPool(4) as pool:
-        pool.map(attempt, (partial(iterations, plain=True), partial(iterations, plain=False), altitude_step, without_timing_noise))
+    with ThreadPool(os.cpu_count() or 1) as pool:
+        pool.map(attempt, (comparison, partial(iterations, plain=True), partial(iterations, plain=False), altitude_step,
+                           without_timing_noise), chunksize=1)
 
 
 def keep_wallclock(run, results):

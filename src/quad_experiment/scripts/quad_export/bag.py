@@ -1,8 +1,9 @@
 """ROS 1 bag: <flight>.bag with the topics of the flight under their names and stamps, for rosbag, rqt and the controller node.
 
 /<ns>/odometry_sensor1/odometry and /<ns>/control/u (what the controller answered) at t_k, /<ns>/motor_speed at t_{k+1}, and
-/experiment/flight_plan: what the controller was told before the flight, as JSON, which `replay_bag` hands to a controller again. Horizontal
-velocity and body rates are differences of what trajectory.csv has (central, of position and attitude); everything else is as recorded.
+/experiment/flight_plan: what the controller was told before the flight, as JSON, which `replay_bag` hands to a controller again.
+Horizontal velocity and body rates are differences of what trajectory.csv has (central, of position and attitude); everything
+else is as recorded.
 """
 import json
 import math

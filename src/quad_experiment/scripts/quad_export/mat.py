@@ -1,8 +1,9 @@
 """MATLAB: <flight>.mat with the exploration's data in the shape of an iddata object.
 
 In MATLAB: d = load('targeted.mat'); data = iddata(d.y, d.u, d.Ts, 'OutputName', d.OutputName, 'OutputUnit', d.OutputUnit,
-'InputName', d.InputName, 'InputUnit', d.InputUnit, 'TimeUnit', d.TimeUnit, 'Tstart', d.Tstart). Row k holds x_k and the input of the
-interval that begins at t_k; the last state has no input (NaN, which iddata takes as a missing value).
+'InputName', d.InputName, 'InputUnit', d.InputUnit, 'TimeUnit', d.TimeUnit, 'Tstart', d.Tstart).
+Row k holds x_k and the input of the interval that begins at t_k; the last state has no input (NaN, which iddata takes as a
+missing value).
 """
 import os
 
@@ -34,7 +35,8 @@ def write(run, folder):
             "OutputName": cell(["z", "zdot"]), "OutputUnit": cell(["m", "m/s"]),
             "InputName": cell(["T_eff_FB"]), "InputUnit": cell(["N"]), "TimeUnit": "seconds",
             "Name": "%s exploration, seed %s" % (flight.name, run.config["seed"]),
-            "SamplingInstants": column("t"), "u_commanded": column("t_eff_cmd"), "gamma_w": float(run.config["design"]["gamma_w"]),
+            "SamplingInstants": column("t"), "u_commanded": column("t_eff_cmd"),
+            "gamma_w": float(run.config["design"]["gamma_w"]),
         }
     return [write_whole(os.path.join(folder, flight.name + ".mat"),
                         lambda path, flight=flight: savemat(path, content(flight), appendmat=False, oned_as="column"))

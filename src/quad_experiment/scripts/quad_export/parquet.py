@@ -1,4 +1,7 @@
-"""Parquet: trajectories.parquet, all flights in one table with a column `flight`; units, config.yaml and summary.json in its metadata."""
+"""Parquet: trajectories.parquet, all flights in one table with a column `flight`.
+
+Units stand in the metadata of each column, config.yaml and summary.json in that of the table.
+"""
 import json
 import os
 
