@@ -44,6 +44,8 @@ def draw(run):
     invalid = [name for name, signal in zip(names, signals) if signal["gamma_w_valid"] < 0.5]
     text = ("Signals of equal energy on the same vehicle and middleware, %d seeds each (median, 5 %% to 95 %%), ranked by "
             "\u03bb_min/\u03b3_w. The condition is met in: %s of the flights." % (signals[0]["flights"], ", ".join(met)))
+    if run.wallclock:
+        text += " Flown in one process with exact intervals, since the wall clock cannot be had twice."
     if invalid:
         text += " \u03b3_w was no bound in most flights of: %s." % ", ".join(invalid)
     return fig, text

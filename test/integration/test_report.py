@@ -179,7 +179,12 @@ class Report(FlightCase):
         run = self.flown()
         self.edit(run, "summary.json", lambda s: s.update(mode="wallclock"))
         self.wallclock_timing("run")
-        self.report(run)
+        self.report(run, "--pdf")
+        names = {kind: sorted(n[:-4] for n in os.listdir(os.path.join(run, "figures")) if n.endswith(kind)) for kind in (".svg", ".pdf")}
+        self.assertEqual(names[".svg"], names[".pdf"])
+        for name in names[".pdf"]:
+            with open(os.path.join(run, "figures", name + ".pdf"), "rb") as file:
+                self.assertEqual(file.read(5), b"%PDF-")
         page = self.page(run)
         self.assertIn("Wall-clock run: not deterministic.", page.text)
         self.assertIn("Delay that services add to each interval (wall clock)", page.text)
