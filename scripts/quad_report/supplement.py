@@ -44,7 +44,7 @@ def call(command, good=(0, 3)):
         raise Gap("%s did not end within %d s" % (os.path.basename(command[0]), LIMIT))
     if done.returncode not in good:
         lines = done.stderr.decode(errors="replace").strip().splitlines() or ["no word"]
-        raise Gap("%s ended with exit code %d: %s" % (os.path.basename(command[0]), done.returncode, lines[-1]))
+        raise Gap("%s %s ended with exit code %d: %s" % (os.path.basename(command[0]), command[1], done.returncode, lines[0]))
 
 
 def kept(run, name, make):
