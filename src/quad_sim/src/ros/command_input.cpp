@@ -14,7 +14,12 @@ namespace quad_sim {
 
 CommandInput::CommandInput(Simulator& simulator, const std::string& name, WorldGate& gate,
                            std::function<bool()> running, ros::NodeHandle& handle)
-    : simulator_(simulator), name_(name), gate_(gate), running_(std::move(running)) {
+    : simulator_(simulator),
+      unchecked_(simulator.options().allQuirks().unchecked_commands),
+      name_(name),
+      gate_(gate),
+      running_(std::move(running)) {
+  for (const RotorModel& rotor : simulator.model().rotors) max_speed_.push_back(rotor.max_speed);
   constexpr int kQueueLength = 10;
   const std::string ns = "/" + name + "/";
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
@@ -49,18 +54,17 @@ void CommandInput::flyLatest() {
 
 std::string CommandInput::problemOf(const mav_msgs::Actuators& message) {
   const std::vector<double>& speeds = message.angular_velocities;
-  const std::vector<RotorModel>& rotors = simulator_.model().rotors;
   const std::lock_guard<std::mutex> lock(mutex_);
   ++tally_.received;
-  if (speeds.size() != rotors.size()) {
+  if (speeds.size() != max_speed_.size()) {
     ++tally_.wrong_length;
-    return tally_.last_problem = fmt::format("{} rotor speeds; the vehicle has {} rotors", speeds.size(), rotors.size());
+    return tally_.last_problem = fmt::format("{} rotor speeds; the vehicle has {} rotors", speeds.size(), max_speed_.size());
   }
   const bool finite = std::all_of(speeds.begin(), speeds.end(), [](double w) { return std::isfinite(w); });
   if (!finite) {
     ++tally_.not_finite;
     tally_.last_problem = "a rotor speed is not a finite number";
-    return simulator_.options().allQuirks().unchecked_commands ? "" : tally_.last_problem;
+    return unchecked_ ? "" : tally_.last_problem;
   }
   const std::int64_t stamp = toNanoseconds(message.header.stamp);
   if (stamp != 0 && stamp < newest_answered_) {
@@ -73,7 +77,7 @@ std::string CommandInput::problemOf(const mav_msgs::Actuators& message) {
   bool negative = false, over = false;
   for (std::size_t i = 0; i < speeds.size(); ++i) {
     negative = negative || speeds[i] < 0;
-    over = over || speeds[i] > rotors[i].max_speed;
+    over = over || speeds[i] > max_speed_[i];
   }
   tally_.negative += negative ? 1 : 0;
   tally_.over_limit += over ? 1 : 0;

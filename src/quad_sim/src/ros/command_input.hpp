@@ -10,6 +10,7 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "command_inbox.hpp"
 #include "quad_sim/simulator.hpp"
@@ -50,6 +51,8 @@ class CommandInput {
   std::string problemOf(const mav_msgs::Actuators& message);  ///< also counts
 
   Simulator& simulator_;
+  std::vector<double> max_speed_;  ///< of the rotors: the simulator itself is for within a visit to the gate
+  bool unchecked_;                 ///< RotorS's way: what is no number is flown, too
   std::string name_;
   WorldGate& gate_;
   std::function<bool()> running_;

@@ -23,7 +23,7 @@ class ImuTopic {
   void atEvent(std::int64_t step);
 
  private:
-  const SensorModel& model_;
+  SensorModel model_;  ///< a copy, as in OdometryTopics
   const Simulator& simulator_;
   std::string identity_, frame_;
   std::unique_ptr<ImuSensor> sensor_;

@@ -64,8 +64,8 @@ void OdometryTopics::atEvent(std::int64_t step, const ros::Publisher& tf) {
   if (tf.getNumSubscribers() > 0) tf.publish(transforms);
 }
 
-void OdometryTopics::publish(tf2_msgs::TFMessage& transforms) {
-  if (sensor_->scheduled()) return;
+void OdometryTopics::publish(bool tf_wanted, tf2_msgs::TFMessage& transforms) {
+  if (sensor_->scheduled() || (!tf_wanted && !wanted())) return;
   send(sensor_->sense(simulator_.odometry(model_), simulator_.stepCount()));
   transforms.transforms.push_back(toTransform(last_));
 }

@@ -29,7 +29,8 @@ class OdometryTopics {
   void renew();                                       ///< for a physics step of another length; forgets samples on their way
   std::int64_t nextEvent(std::int64_t step) const;    ///< after `step`; kNever if it has none or nobody listens
   void atEvent(std::int64_t step, const ros::Publisher& tf);
-  void publish(tf2_msgs::TFMessage& transforms);      ///< nothing if scheduled
+  /// Nothing if scheduled, or if neither its topics nor /tf are listened to.
+  void publish(bool tf_wanted, tf2_msgs::TFMessage& transforms);
   const nav_msgs::Odometry& last() const { return last_; }
   void archive(StateArchive& archive) { delay_->archive(archive); }
 
@@ -39,7 +40,7 @@ class OdometryTopics {
   bool wanted() const;
   void send(const Odometry& reading);
 
-  const SensorModel& model_;
+  SensorModel model_;  ///< a copy: the simulator makes its own anew when the physics step changes
   const Simulator& simulator_;
   std::string identity_, frame_;
   bool primary_;

@@ -73,9 +73,10 @@ void VehicleTopics::publish() {
   const std::vector<double> speed = simulator_.measure().rotor_speed;
   last_motor_speed_ = toMsg(speed, simulator_.model(), simulator_.timeNanoseconds(), name_ + "/base_link");
   motor_speed_pub_.publish(last_motor_speed_);
+  const bool tf_wanted = tf_pub_.getNumSubscribers() > 0;
   tf2_msgs::TFMessage transforms;
-  for (auto& sensor : odometry_) sensor->publish(transforms);  // after the motor speeds: controllers start on the odometry
-  if (!transforms.transforms.empty() && tf_pub_.getNumSubscribers() > 0) tf_pub_.publish(transforms);
+  for (auto& sensor : odometry_) sensor->publish(tf_wanted, transforms);  // after the motor speeds: controllers start on them
+  if (tf_wanted && !transforms.transforms.empty()) tf_pub_.publish(transforms);
   turnRotors(speed);
   publishRotors(speed);
   publishHeld();
