@@ -173,6 +173,28 @@ TEST(BatchRow, SaysWhatTheExperimentSaid) {
   EXPECT_EQ(std::stod(row["random.gamma_w_exp"]), summary["random"]["gamma_w_exp"].get<double>());
 }
 
+// Pythagoras: the truth lies in the set exactly when gamma_w,exp <= gamma_w, for any data. gamma_w
+// is drawn around the energies that occur, so that both happen.
+TEST(BatchRow, TheTruthLiesInTheSetExactlyWhenGammaWHolds) {
+  const BatchSpec spec = SpecFile(
+                             "seed: 1\nruns: 60\nvary:\n  seed: {count: 1}\n  design.gamma_w: "
+                             "{log_uniform: [0.01, 1]}\n"
+                             "  timing.latency: {uniform: [0.0, 0.09]}\nset: {comparison: []}\n")
+                             .read();
+  const std::vector<std::string> columns = batchColumns(spec);
+  std::map<std::string, int> seen;
+  DesignMemory designs;
+  for (int run = 0; run < 60; ++run) {
+    const auto cells = splitBatchRow(flyBatchRun(spec, run, designs));
+    std::map<std::string, std::string> row;
+    for (std::size_t i = 0; i < cells.size(); ++i) row[columns[i]] = cells[i];
+    EXPECT_EQ(row["targeted.truth_in_set"], row["targeted.gamma_w_valid"]) << run;
+    ++seen[row["targeted.truth_in_set"]];
+  }
+  EXPECT_GE(seen["0"], 5);
+  EXPECT_GE(seen["1"], 5);
+}
+
 TEST(BatchRow, FailuresAreRows) {
   const auto statusOf = [](const std::string& set) {
     const BatchSpec spec =

@@ -22,6 +22,11 @@ struct StepOptions {
   double duration = 20.0;  ///< [s]
   bool force = false;
 };
+struct CompareOptions {
+  std::string config, out;
+  int seeds = 20;
+  bool force = false;
+};
 struct BatchCommandOptions {
   std::string spec, out;
   long long runs = 0;      ///< repeats of each point of the grid; 0: as the spec says
@@ -47,6 +52,7 @@ struct ExportOptions {
 int run(const RunOptions& options);
 int check(const CheckOptions& options);
 int percentiles(const PercentilesOptions& options);
+int compare(const CompareOptions& options);
 int batch(const BatchCommandOptions& options);
 int batchDescribe(const BatchCommandOptions& options);
 int batchWorker(const BatchCommandOptions& options);

@@ -14,6 +14,7 @@ struct Options {
   CheckOptions check;
   PercentilesOptions percentiles;
   StepOptions step;
+  CompareOptions compare;
   BatchCommandOptions batch;
   BatchReplayOptions replay;
   ExportOptions exported;
@@ -75,6 +76,21 @@ void addStep(CLI::App& app, StepOptions& o, std::function<int()>& chosen) {
   command->footer(
       "Example:\n  quad_experiment step --config config/exact.yaml --out results/step --height 1");
   command->callback([&] { chosen = [&o] { return step(o); }; });
+}
+
+void addCompare(CLI::App& app, CompareOptions& o, std::function<int()>& chosen) {
+  auto* command = app.add_subcommand(
+      "compare", "Fly the targeted signal and the textbook's at equal energy, and rank them");
+  command->add_option("--config", o.config, "experiment settings (YAML)")->required();
+  command->add_option("--out", o.out, "directory for comparison.json and .csv; must not exist")
+      ->required();
+  command->add_option("--seeds", o.seeds, "flights of each signal")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000));
+  command->add_flag("--force", o.force, "replace an existing results directory");
+  command->footer(
+      "Example:\n  quad_experiment compare --config config/thesis.yaml --out results/compare");
+  command->callback([&] { chosen = [&o] { return compare(o); }; });
 }
 
 void addBatchParts(CLI::App& command, Options& all, std::function<int()>& chosen) {
@@ -178,6 +194,7 @@ int main(int argc, char** argv) {
   addCheck(app, options.check, chosen);
   addPercentiles(app, options.percentiles, chosen);
   addStep(app, options.step, chosen);
+  addCompare(app, options.compare, chosen);
   addBatch(app, options, chosen);
   addExport(app, options.exported, chosen);
   try {
