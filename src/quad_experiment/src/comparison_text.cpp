@@ -89,9 +89,7 @@ std::string meaning(const Comparison& comparison) {
   if (also.empty())
     return "No other signal met the condition with a gamma_w that held, in any flight.\n";
   return "Not the targeted signal alone meets the condition with a gamma_w that held: so do " +
-         also +
-         ".\nWhat only the targeted one has is the guarantee before the flight, at the least "
-         "energy.\n";
+         also + ".\nWhat targeting adds is the guarantee before the flight.\n";
 }
 
 }  // namespace
