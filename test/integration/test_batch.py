@@ -12,7 +12,7 @@ import subprocess
 import time
 import unittest
 
-from flights import DEVEL, FlightCase, processes_with, program, shipped
+from flights import DEVEL, ROOT, FlightCase, processes_with, program, shipped
 
 LONG = bool(os.environ.get("QUAD_LONG_TESTS"))
 RUNS = 60
@@ -298,6 +298,25 @@ class Rows(BatchCase):
                                 "vary:\n  simulation.step: {grid: [0.001, 1.0e-7, 0.002]}\n")
         self.batch("out", "--timeout", "1", "--workers", "2", "--chunk", "3")
         self.assertEqual([s.split()[0] == "timeout" for s in self.statuses("out")], [False, True, False])
+
+
+class Studies(FlightCase):
+    """The shipped studies, one repeat of each point: specs, tables and pictures work."""
+
+    def test_tables_and_pictures(self):
+        quad_experiment = program("quad_experiment", "quad_experiment")
+        answer = self.finish(self.start([os.path.join(ROOT, "scripts", "studies"), "--runs", "1", "--results", "results", "--docs",
+                                         "docs", "--program", quad_experiment]))
+        self.assertEqual(answer.code, 0, answer)
+        for name, rows in (("promise", 20), ("gamma_w", 13), ("energy", 48), ("thesis", 8)):
+            with open(os.path.join(ROOT, "docs", "studies", name + ".csv"), encoding="utf-8") as file:
+                shipped_table = file.read().splitlines()
+            with open(self.path("docs", name + ".csv"), encoding="utf-8") as file:
+                table = file.read().splitlines()
+            self.assertEqual((len(table), table[0]), (rows + 1, shipped_table[0]), name)
+            self.assertEqual(len(shipped_table), rows + 1, name)
+            with open(self.path("docs", name + ".svg"), encoding="utf-8") as file:
+                self.assertIn("</svg>", file.read())
 
 
 if __name__ == "__main__":
