@@ -1,4 +1,4 @@
-# make build | experiment | report | test | batch | bench | check | doctor | clean. What needs a build makes it first.
+# make build | experiment | report | test | batch | fuzz | bench | check | doctor | clean. What needs a build makes it first.
 SHELL := /bin/bash
 # ROS's Python lives in /usr/bin; a pyenv or conda python must not come before it.
 export PATH := /usr/bin:$(PATH)
@@ -9,7 +9,7 @@ CONFIG ?= config/thesis.yaml
 OUT ?= results/$(basename $(notdir $(CONFIG)))
 RUN := . build/devel/setup.sh &&
 
-.PHONY: setup configure build tests test experiment report batch bench check doctor clean
+.PHONY: setup configure build tests test experiment report batch bench check doctor clean fuzz
 .DEFAULT_GOAL := build
 
 setup:
@@ -44,6 +44,11 @@ report: build
 # The shipped Monte Carlo: 200 experiments on all cores, results/monte_carlo/results.csv, and what it says.
 batch: build
 	@build/devel/lib/quad_experiment/quad_experiment batch --spec config/monte_carlo.yaml --out results/monte_carlo --force
+
+# A million broken inputs through explore_opt's entries, at the lowest priority.
+fuzz: build
+	@cmake --build build -j$(J) --target fuzz_inputs -- --no-print-directory -s
+	@cmake --build build --target fuzz -- --no-print-directory -s
 
 bench: build
 	@$(RUN) scripts/bench

@@ -16,12 +16,16 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using quad_support::ConfigError;
 
+constexpr int kDeepest = 64;  // matrices need three
+
 /// Told of every event of the parser; remembers the keys of each open object.
 class RepeatedKeys {
  public:
   explicit RepeatedKeys(const std::string& source) : source_(source) {}
 
-  bool operator()(int, json::parse_event_t event, json& parsed) {
+  bool operator()(int depth, json::parse_event_t event, json& parsed) {
+    if (depth > kDeepest)  // printing a value goes down by recursion
+      throw ConfigError(fmt::format("{}: brackets nest deeper than {}", source_, kDeepest));
     if (event == json::parse_event_t::object_start) open_.emplace_back();
     if (event == json::parse_event_t::object_end) open_.pop_back();
     if (event == json::parse_event_t::key &&

@@ -14,9 +14,13 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer("The --help of each subcommand shows an example that runs.");
   const std::map<std::string, explore_opt::Action> actions = {
+      {"frequencies", explore_opt::addFrequenciesCommand(app)},
       {"design", explore_opt::addDesignCommand(app)},
+      {"audit", explore_opt::addAuditCommand(app)},
       {"baselines", explore_opt::addBaselinesCommand(app)},
-      {"identify", explore_opt::addIdentifyCommand(app)}};
+      {"predict", explore_opt::addPredictCommand(app)},
+      {"identify", explore_opt::addIdentifyCommand(app)},
+      {"replay", explore_opt::addReplayCommand(app)}};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

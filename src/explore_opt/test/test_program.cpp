@@ -269,6 +269,73 @@ TEST_F(Program, IdentifyTellsIntervalsMembershipAndFusesFiles) {
             2);
 }
 
+TEST_F(Program, AuditPassesHonestDesignsAndFindsOthers) {
+  const std::string problem = write("problem.json", kThesis);
+  ASSERT_EQ(run("design " + problem + " --out design.json"), 0);
+  ASSERT_EQ(run("audit " + problem + " design.json"), 0) << stderr_;
+  EXPECT_EQ(answer()["passed"], true);
+  EXPECT_NE(stderr_.find("ok     lower_bound"), std::string::npos) << stderr_;
+  json design = json::parse(quad_support::readFile((dir_ / "design.json").string()));
+  design["amplitudes"][3][0] = design["amplitudes"][3][0].get<double>() * 0.9;
+  EXPECT_EQ(
+      run("audit " + problem + " " + write("cheap.json", design.dump()) + " --out audit.json"), 3);
+  EXPECT_NE(stdout_.find("WRONG  feasible"), std::string::npos) << stdout_;
+  EXPECT_EQ(run("audit " + problem + " " + write("no.json", "{}")), 2);
+}
+
+TEST_F(Program, PredictionOfADesignMeetsItsPromise) {
+  const std::string problem = write("problem.json", kThesis);
+  ASSERT_EQ(run("design " + problem + " --out design.json"), 0);
+  ASSERT_EQ(run("predict " + problem + " design.json --out prediction.csv"), 0) << stderr_;
+  // Without noise the residual is zero, G = gamma_w, and the condition just holds.
+  ASSERT_EQ(run("identify prediction.csv --states x1,x2 --inputs u1 --gamma-w 20 --D 99.9999"), 0)
+      << stderr_;
+  EXPECT_NEAR(answer()["Theta"][0][1].get<double>(), 0.1635, 1e-12);
+  EXPECT_NEAR(answer()["lambda_D_bd"].get<double>(), 100.0, 1e-6);
+  EXPECT_LT(answer()["residual_energy"].get<double>(), 1e-20);
+  EXPECT_EQ(run("predict " + problem + " " + write("short.json", "[[1], [2]]")), 2);
+}
+
+TEST_F(Program, SolvesCanBeDumpedAndReplayed) {
+  const std::string problem = write("problem.json", kThesis);
+  for (const std::string& method :
+       {std::string("global"),
+        std::string("mm --initial ") + write("i.json", "[[1], [2], [3], [4]]")}) {
+    ASSERT_EQ(run("design " + problem + " --method " + method +
+                  " --seed 7 --dump dump.json --out design.json"),
+              0);
+    ASSERT_EQ(run("replay dump.json"), 0) << stderr_;
+    const json first = json::parse(quad_support::readFile((dir_ / "design.json").string()));
+    EXPECT_EQ(answer()["amplitudes"], first["amplitudes"]);  // the same program: the same bits
+  }
+  json dump = json::parse(quad_support::readFile((dir_ / "dump.json").string()));
+  dump["answer"]["gamma_e"] = 3.0;
+  EXPECT_EQ(run("replay " + write("other.json", dump.dump())), 3);
+  EXPECT_NE(stderr_.find("recorded solved, gamma_e 3"), std::string::npos) << stderr_;
+  dump["options"].erase("seed");
+  EXPECT_EQ(run("replay " + write("broken.json", dump.dump())), 2);
+  EXPECT_EQ(run("replay " + problem), 2);
+  // A failure can be dumped too.
+  EXPECT_EQ(run("design " + write("dead.json", with("B", {{0.0}, {0.0}})) + " --dump dump.json"),
+            3);
+  EXPECT_EQ(run("replay dump.json"), 0) << stderr_;
+}
+
+TEST_F(Program, FrequenciesWriteAProblemReadyForDesign) {
+  json system = thesis();
+  system.erase("harmonics");
+  const std::string file = write("system.json", system.dump());
+  ASSERT_EQ(run("frequencies " + file + " --lines 4 --problem problem.json --band 0.005 0.2"), 0)
+      << stderr_;
+  EXPECT_EQ(answer()["harmonics"].size(), 4u);
+  EXPECT_EQ(answer()["bode"]["frequency"].size(), answer()["bode"]["gain"].size());
+  EXPECT_EQ(run("design problem.json"), 0) << stderr_;
+  EXPECT_EQ(run("frequencies " + file + " --band 0.3 0.2"), 2);
+  system["A"] = {{1.2, 0}, {0, 0.5}};
+  EXPECT_EQ(run("frequencies " + write("unstable.json", system.dump())), 3);
+  EXPECT_NE(stderr_.find("Add a stabilising K"), std::string::npos) << stderr_;
+}
+
 TEST_F(Program, DataThatDoNotExciteExitWith3) {
   EXPECT_EQ(run("identify " + write("still.csv", "x,u\n1,0\n0.5,0\n0.25,0\n0.125,0\n") +
                 " --states x --inputs u --gamma-w 1"),

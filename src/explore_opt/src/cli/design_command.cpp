@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "explore_opt/design_dump.hpp"
 #include "explore_opt/design_json.hpp"
 #include "quad_support/atomic_file.hpp"
 #include "quad_support/errors.hpp"
@@ -21,14 +22,14 @@ same rows or a whole answer; only their direction counts, the size is scaled to 
 Exit code 0: amplitudes found; 3: there are none, or they are not trustworthy (see "status"); 2: bad input.)";
 
 struct Settings {
-  std::string problem, method = "global", initial, out;
+  std::string problem, method = "global", initial, out, dump;
   DesignOptions options;
   bool plain = false;
 };
 
 int design(const Settings& settings) {
-  const ExplorationProblem problem =
-      problemFromJson(quad_support::readFile(settings.problem), settings.problem);
+  const std::string text = quad_support::readFile(settings.problem);
+  const ExplorationProblem problem = problemFromJson(text, settings.problem);
   DesignOptions options = settings.options;
   options.method = methodFromString(settings.method);
   options.extrapolate = !settings.plain;
@@ -40,6 +41,7 @@ int design(const Settings& settings) {
         amplitudesFromJson(quad_support::readFile(settings.initial), settings.initial, problem);
   }
   const DesignResult result = designExploration(problem, options);
+  if (!settings.dump.empty()) writeAnswer(settings.dump, dumpDesign(text, options, result));
   writeAnswer(settings.out, prettyJson(designToJson(problem, result)));
   if (result.status == DesignStatus::kSolved || result.status == DesignStatus::kReducedAccuracy) {
     return quad_support::kDone;
@@ -62,6 +64,8 @@ Action addDesignCommand(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::IsMember({"global", "mm"}));
   command->add_option("--out", settings->out, "File for the answer; default: standard output");
+  command->add_option("--dump", settings->dump,
+                      "File for problem, options and answer; see replay");
   command->add_option("--seed", options.seed, "Of random starts")->capture_default_str();
   command
       ->add_option("--starts", options.random_starts, "global: random starts while the gap is open")

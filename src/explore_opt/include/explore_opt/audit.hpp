@@ -1,0 +1,64 @@
+/// A second opinion on a design, from the raw data of the problem alone.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "explore_opt/exploration_problem.hpp"
+
+namespace explore_opt {
+
+/// What a design claims, as its file has it.
+struct DesignClaims {
+  Eigen::MatrixXd amplitudes;  ///< carriers x n_u; several experiments one below the other
+  double gamma_e = 0.0, lower_bound = 0.0, gap = 0.0;
+  Eigen::MatrixXd certificate;  ///< Z in coordinates normalised by D_des^{-1/2}; may be empty
+  Eigen::MatrixXd multiplier;   ///< M in raw coordinates; may be empty
+  struct Peak {
+    int sample = 0, input = -1;
+    double value = 0.0;
+  };
+  std::vector<Peak> peak_multipliers;
+};
+
+/// One thing that was recomputed.
+struct AuditCheck {
+  std::string name;  ///< feasible, cost, lower_bound, gap, peak
+  bool passed = false;
+  std::string finding;  ///< what was computed and what was claimed
+};
+
+struct AuditReport {
+  std::vector<AuditCheck> checks;
+  double lambda_min = 0.0;  ///< largest ρ with information ⪰ ρ γ_w D_des
+  double gamma_e = 0.0;
+  double lower_bound = 0.0;  ///< what the multiplier proves
+  double gap = 0.0;
+  double peak = 0.0;  ///< max_k ‖u_k‖
+
+  bool passed() const;
+};
+
+/// Recomputes everything by sample-by-sample simulation in long double and one eigenvalue problem
+/// each for feasibility and bound. No code is shared with the solvers, nothing they say is
+/// believed:
+///
+///   feasible     Σ_k φ_k φ_kᵀ [⊗ I] ⪰ γ_w D_des (1 - 1e-9) on the unknown entries
+///   cost         γ_e of the amplitudes equals the claim to 1e-9
+///   lower_bound  ½γ_e² - tr M₊(Q [⊗ I] - γ_w D_des) + Σ ½ν_k (‖u_k‖² - u_max²) has a least value
+///                over all amplitudes, for M₊ the positive part of the multiplier scaled as well as
+///                possible; the claim must not exceed it by more than 1e-6 (relative)
+///   gap          is (γ_e - lower_bound)/γ_e, and not below -1e-9
+///   peak         no input above u_max (1 + 1e-9), where there is a limit
+/// @throws quad_support::DataError for claims whose shapes do not fit the problem
+AuditReport audit(const ExplorationProblem& problem, const DesignClaims& claims);
+
+/// Reads the answer of `explore_opt design`.
+/// @throws quad_support::ConfigError: no JSON, missing keys, wrong types or shapes; no amplitudes
+DesignClaims claimsFromJson(const std::string& text, const std::string& source,
+                            const ExplorationProblem& problem);
+
+nlohmann::ordered_json auditToJson(const AuditReport& report);
+
+}  // namespace explore_opt

@@ -1,0 +1,288 @@
+// Plain on purpose: a reader should be able to check this file by eye. It uses Eigen, the problem's
+// fields, and nothing of the design code.
+#include "explore_opt/audit.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "checks.hpp"
+
+namespace explore_opt {
+namespace {
+
+using Real = long double;
+using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using Eigen::Index;
+
+constexpr Real kTwoPi = 6.283185307179586476925286766559005768L;
+
+/// Problem in long double, and the sums over all samples that the checks need. Column a < p of a
+/// sample's regressors answers unit amplitude of component a, column p answers x_0.
+struct Sums {
+  const ExplorationProblem& problem;
+  int p;
+  Matrix D, weight;                 // D_des of full meaning, D or D ⊗ I; Σ M-weighted products
+  Matrix cost;                      // γ_e² = [a; 1]ᵀ cost [a; 1] (one experiment)
+  Matrix peaks;                     // Σ ν_k [a; 1]ᵀ peaks [a; 1] = Σ ν_k ‖u_k‖²
+  Real peak_limits = 0.0L;          // Σ ν_k u_max²
+  std::vector<Matrix> information;  // ΦΦᵀ of each experiment
+  std::vector<Real> energy;         // Σ‖u_k‖² of each experiment
+  Vector largest_inputs;            // largest |u_kj|, and last ‖u_k‖, of all
+};
+
+Real carrier(const ExplorationProblem& problem, int row, int k) {
+  const SpectralLines& lines = problem.lines;
+  const int L = lines.size(), i = row % L;
+  const bool sine = problem.phase == Phase::kSin || row >= L;
+  const auto at = static_cast<std::size_t>(i);
+  const Real turns =
+      lines.harmonics.empty()
+          ? std::fmod(Real(lines.frequencies[at]) * k, 1.0L)
+          : Real(std::int64_t{lines.harmonics[at]} * k % lines.num_samples) / lines.num_samples;
+  return sine ? std::sin(kTwoPi * turns) : std::cos(kTwoPi * turns);
+}
+
+/// D_des as it is meant: λ I and D ⊗ I stay n_φ x n_φ, unless entries are known.
+Matrix meaning(const ExplorationProblem& problem) {
+  const Index n = problem.numRegressors(), nx = problem.numStates();
+  Matrix D = problem.D_des.cast<Real>();
+  if (D.size() == 1) D = (D(0, 0) * Matrix::Identity(n, n)).eval();
+  return D.rows() == n * nx ? D : D;
+}
+
+/// S ⊗ I.
+Matrix expanded(const Matrix& S, Index nx) {
+  Matrix out = Matrix::Zero(S.rows() * nx, S.cols() * nx);
+  for (Index i = 0; i < S.rows(); ++i)
+    for (Index j = 0; j < S.cols(); ++j)
+      for (Index k = 0; k < nx; ++k) out(i * nx + k, j * nx + k) = S(i, j);
+  return out;
+}
+
+/// W with tr(M (S [⊗ I])) = tr(W S): M itself, or the traces of its n_x x n_x blocks.
+Matrix blockTraces(const Matrix& M, Index n, Index nx) {
+  if (M.rows() == n) return M;
+  Matrix W(n, n);
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j) W(i, j) = M.block(i * nx, j * nx, nx, nx).trace();
+  return W;
+}
+
+Matrix positivePart(const Matrix& M) {
+  const Matrix symmetric = 0.5L * (M + M.transpose());
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(symmetric);
+  const Vector values = eigen.eigenvalues().cwiseMax(0.0L);
+  return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+/// M = D^{-1/2} Z D^{-1/2} of a normalised certificate.
+Matrix rawMultiplier(const Matrix& Z, const Matrix& D) {
+  const Matrix root = Eigen::SelfAdjointEigenSolver<Matrix>(D).operatorInverseSqrt();
+  return root * Z * root;
+}
+
+/// Simulates all unit responses at once, sample by sample, and adds up what is needed.
+Sums simulate(const ExplorationProblem& problem, const Matrix& M, const DesignClaims& claims) {
+  const int p = problem.numAmplitudes(), nx = problem.numStates(), nu = problem.numInputs(),
+            n = nx + nu, carriers = p / nu;
+  const auto runs = static_cast<int>(claims.amplitudes.rows() / carriers);
+  const Matrix A = problem.A.cast<Real>(), B = problem.B.cast<Real>();
+  Matrix chosen = Matrix::Zero(p + 1, runs);  // [a; 1] of each experiment
+  for (int r = 0; r < runs; ++r)
+    for (int a = 0; a < p; ++a) chosen(a, r) = claims.amplitudes(r * carriers + a / nu, a % nu);
+  chosen.row(p).setOnes();
+
+  const Matrix W = blockTraces(M, n, nx);
+  Sums s{problem,
+         p,
+         meaning(problem),
+         Matrix::Zero(p + 1, p + 1),
+         Matrix::Zero(p + 1, p + 1),
+         Matrix::Zero(p + 1, p + 1),
+         0.0L,
+         std::vector<Matrix>(static_cast<std::size_t>(runs), Matrix::Zero(n, n)),
+         std::vector<Real>(static_cast<std::size_t>(runs), 0.0L),
+         Vector::Zero(nu + 1)};
+  Matrix X = Matrix::Zero(nx, p + 1), phi(n, p + 1);
+  if (problem.x0.size() > 0) X.col(p) = problem.x0.cast<Real>();
+  for (int k = 0; k < problem.lines.num_samples; ++k) {
+    Matrix U = Matrix::Zero(nu, p + 1);
+    for (int a = 0; a < p; ++a) U(a % nu, a) = carrier(problem, a / nu, k);
+    if (problem.K.size() > 0) U += problem.K.cast<Real>() * X;
+    phi << X, U;
+    s.weight += phi.transpose() * (W * phi);
+    s.cost += U.transpose() * U;
+    for (const DesignClaims::Peak& peak : claims.peak_multipliers) {
+      if (peak.sample != k) continue;
+      const Matrix rows = peak.input < 0 ? U : Matrix(U.row(peak.input));
+      s.peaks += std::max<Real>(0.0L, peak.value) * rows.transpose() * rows;
+    }
+    for (int r = 0; r < runs; ++r) {
+      const Vector now = phi * chosen.col(r), u = now.tail(nu);
+      s.information[static_cast<std::size_t>(r)] += now * now.transpose();
+      s.energy[static_cast<std::size_t>(r)] += u.squaredNorm();
+      for (int j = 0; j < nu; ++j)
+        s.largest_inputs(j) = std::max(s.largest_inputs(j), std::abs(u(j)));
+      s.largest_inputs(nu) = std::max(s.largest_inputs(nu), u.norm());
+    }
+    X = (A * X + B * U).eval();
+  }
+  return s;
+}
+
+/// Largest ρ with (mean information)[⊗ I] ⪰ ρ γ_w D_des on the unknown entries; 0 if the
+/// information is singular.
+Real feasibility(const Sums& s) {
+  const ExplorationProblem& problem = s.problem;
+  const Index n = problem.numRegressors(), nx = problem.numStates();
+  Matrix S = Matrix::Zero(n, n), D = s.D;
+  for (const Matrix& information : s.information)
+    S += information / static_cast<Real>(s.information.size());
+  const bool known = false;
+  if (known || D.rows() == n * nx) {
+    S = expanded(S, nx);
+    if (D.rows() == n) D = expanded(D, nx);
+  }
+  std::vector<Index> free;
+  for (Index e = 0; e < S.rows(); ++e) free.push_back(e);
+  const Matrix part = S(free, free), asked = D(free, free);
+  // A unit diagonal first: states have units, rounding has none.
+  const Vector scale = part.diagonal().cwiseSqrt();
+  if (!(scale.minCoeff() > 0.0L)) return 0.0L;
+  const Matrix inverse = scale.cwiseInverse().asDiagonal();
+  const Eigen::LLT<Matrix> llt(inverse * part * inverse);
+  if (llt.info() != Eigen::Success) return 0.0L;
+  const Matrix half = llt.matrixL().solve(inverse * asked * inverse);
+  const Matrix ratio = llt.matrixL().solve(half.transpose());
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(0.5L * (ratio + ratio.transpose()));
+  return 1.0L / (problem.gamma_w * eigen.eigenvalues().maxCoeff());
+}
+
+/// The least value of [a; 1]ᵀ (cost + t R) [a; 1] + t c over a, for the best t >= 0.
+Real bestLeastValue(const Matrix& cost, const Matrix& R, Real c) {
+  const Index p = cost.rows() - 1;
+  // Coordinates in which cost is the identity and R diagonal.
+  const Eigen::LLT<Matrix> llt(cost.topLeftCorner(p, p));
+  if (llt.info() != Eigen::Success) return 0.0L;
+  const Matrix half = llt.matrixL().solve(R.topLeftCorner(p, p));
+  const Matrix normal = llt.matrixL().solve(half.transpose());
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(0.5L * (normal + normal.transpose()));
+  const Vector lambda = eigen.eigenvalues();
+  const auto turned = [&](const Matrix& m) {
+    return Vector(eigen.eigenvectors().transpose() *
+                  llt.matrixL().solve(Matrix(m.topRightCorner(p, 1))).col(0));
+  };
+  const Vector g0 = turned(cost), g1 = turned(R);
+  const auto value = [&](Real t) {
+    Real sum = cost(p, p) + t * (R(p, p) + c);
+    for (Index i = 0; i < p; ++i) {
+      const Real g = g0(i) + t * g1(i), curvature = 1.0L + t * lambda(i);
+      if (g != 0.0L) sum -= g * g / curvature;
+    }
+    return sum;
+  };
+  if (!(lambda.minCoeff() < 0.0L)) return value(0.0L);
+  const Real limit = -1.0L / lambda.minCoeff();  // up to here the form is convex
+  if (g0.isZero(0.0L) && g1.isZero(0.0L)) return std::max(value(0.0L), value(limit));
+  Real low = 0.0L, high = limit * (1.0L - 1e-15L);
+  for (int i = 0; i < 300; ++i) {  // ternary search: value(t) is concave
+    const Real a = low + (high - low) / 3.0L, b = high - (high - low) / 3.0L;
+    (value(a) < value(b) ? low : high) = value(a) < value(b) ? a : b;
+  }
+  return value(0.5L * (low + high));
+}
+
+/// What the multipliers prove about γ_e.
+Real provedBound(const Sums& s, const Matrix& M) {
+  const Index n = s.problem.numRegressors(), nx = s.problem.numStates();
+  const Matrix D = M.rows() == s.D.rows() ? s.D : expanded(s.D, nx);
+  if (M.rows() != n && M.rows() != n * nx) return 0.0L;
+  const Matrix R = s.peaks - 2.0L * s.weight;
+  const Real constant = 2.0L * s.problem.gamma_w * M.cwiseProduct(D).sum() - s.peak_limits;
+  const Real square = bestLeastValue(s.cost, R, constant);
+  return square > 0.0L && std::isfinite(square) ? std::sqrt(square) : 0.0L;
+}
+
+void checkShapes(const ExplorationProblem& problem, const DesignClaims& claims) {
+  const int carriers = problem.numAmplitudes() / problem.numInputs();
+  const Index rows = claims.amplitudes.rows();
+  require(
+      rows >= carriers && rows % carriers == 0 && claims.amplitudes.cols() == problem.numInputs(),
+      "amplitudes are {} x {}; must be {} carriers (times the number of experiments) x {} "
+      "inputs",
+      rows, claims.amplitudes.cols(), carriers, problem.numInputs());
+  requireFinite(claims.amplitudes, "amplitudes");
+  requireFinite(claims.certificate, "certificate");
+  requireFinite(claims.multiplier, "multiplier");
+  require(claims.peak_multipliers.empty(),
+          "there are peak multipliers, but the problem has no u_max");
+}
+
+/// The multiplier in raw coordinates, its positive part; 0 x 0 if none fits.
+Matrix multiplierOf(const ExplorationProblem& problem, const DesignClaims& claims) {
+  const Index n = problem.numRegressors(), nx = problem.numStates();
+  Matrix M = claims.multiplier.cast<Real>();
+  const Matrix D = meaning(problem);
+  if (M.size() == 0 && claims.certificate.rows() == D.rows() &&
+      claims.certificate.rows() == claims.certificate.cols())
+    M = rawMultiplier(claims.certificate.cast<Real>(), D);
+  const bool square = M.rows() == M.cols() && (M.rows() == n || M.rows() == n * nx);
+  if (!square || !M.allFinite()) return Matrix::Zero(n, n);
+  return positivePart(M);
+}
+
+bool close(Real a, Real b, Real tolerance) {
+  return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+}  // namespace
+
+bool AuditReport::passed() const {
+  return std::all_of(checks.begin(), checks.end(), [](const AuditCheck& c) { return c.passed; });
+}
+
+AuditReport audit(const ExplorationProblem& problem, const DesignClaims& claims) {
+  validate(problem);
+  checkShapes(problem, claims);
+  const Matrix M = multiplierOf(problem, claims);
+  Sums s = simulate(problem, M, claims);
+  const auto runs = static_cast<Real>(s.information.size());
+  const bool on_input = false;
+  Real square = claims.amplitudes.cast<Real>().squaredNorm() / runs;
+  if (on_input) {
+    square = 0.0L;
+    for (const Real energy : s.energy) square += 2.0L * energy / problem.lines.num_samples / runs;
+    s.cost *= 2.0L / problem.lines.num_samples;
+  } else {
+    s.cost.setIdentity();
+    s.cost(s.p, s.p) = 0.0L;
+  }
+  AuditReport report;
+  report.lambda_min = static_cast<double>(feasibility(s));
+  report.gamma_e = static_cast<double>(std::sqrt(square));
+  report.lower_bound = static_cast<double>(provedBound(s, M));
+  report.gap = (report.gamma_e - report.lower_bound) / report.gamma_e;
+  report.peak = static_cast<double>(s.largest_inputs(problem.numInputs()));
+  const auto add = [&](const char* name, bool passed, const std::string& finding) {
+    report.checks.push_back({name, passed, finding});
+  };
+  add("feasible", report.lambda_min >= 1.0 - 1e-9,
+      fmt::format("the simulated information is {:.12g} of gamma_w D_des; must be 1 or above",
+                  report.lambda_min));
+  add("cost", close(report.gamma_e, claims.gamma_e, 1e-9L),
+      fmt::format("gamma_e = {:.12g} from the amplitudes; claimed {:.12g}", report.gamma_e,
+                  claims.gamma_e));
+  add("lower_bound", claims.lower_bound <= report.lower_bound * (1.0 + 1e-6),
+      fmt::format("the multiplier proves gamma_e >= {:.12g}; claimed {:.12g}", report.lower_bound,
+                  claims.lower_bound));
+  const double claimed_gap = (claims.gamma_e - claims.lower_bound) / claims.gamma_e;
+  add("gap", std::abs(claims.gap - claimed_gap) <= 1e-9 && claimed_gap >= -1e-9,
+      fmt::format("(gamma_e - lower_bound)/gamma_e = {:.6g} of the claims; claimed {:.6g}",
+                  claimed_gap, claims.gap));
+  return report;
+}
+
+}  // namespace explore_opt

@@ -1,0 +1,193 @@
+#include "explore_opt/frequency_choice.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "checks.hpp"
+#include "explore_opt/set_membership.hpp"
+#include "quad_support/linear_algebra.hpp"
+
+namespace explore_opt {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kTwoPi = 6.283185307179586476925286766559;
+constexpr int kCandidates = 1000;
+constexpr int kSteps = 500;
+
+MatrixXd closedLoop(const ExplorationProblem& problem) {
+  if (problem.K.size() == 0) return problem.A;
+  return problem.A + problem.B * problem.K;
+}
+
+/// Harmonics in the band, below T/2; all, or about kCandidates of them at equal ratios.
+std::vector<int> candidates(int T, const FrequencyOptions& options) {
+  const double first = std::max(1.0, std::ceil(options.band_low * T - 1e-9));
+  const double last = std::min((T - 1) / 2, static_cast<int>(options.band_high * T + 1e-9));
+  require(first <= last, "band {} to {} holds no harmonic of T = {} below 1/2", options.band_low,
+          options.band_high, T);
+  std::vector<int> grid;
+  const double ratio = std::pow(last / first, 1.0 / kCandidates);
+  for (double h = first; h <= last; h = std::max(grid.back() + 1.0, std::floor(h * ratio)))
+    grid.push_back(static_cast<int>(h));
+  return grid;
+}
+
+/// Regressors per unit of each input at one frequency, n_φ x n_u; empty at a pole.
+MatrixXcd response(const ExplorationProblem& problem, double frequency) {
+  const Index nx = problem.numStates(), nu = problem.numInputs();
+  const std::complex<double> z = std::polar(1.0, kTwoPi * frequency);
+  const MatrixXcd resolvent =
+      z * MatrixXcd::Identity(nx, nx) - closedLoop(problem).cast<std::complex<double>>();
+  MatrixXcd V(nx + nu, nu);
+  V.topRows(nx) = resolvent.partialPivLu().solve(problem.B.cast<std::complex<double>>());
+  V.bottomRows(nu).setIdentity();
+  if (problem.K.size() > 0)
+    V.bottomRows(nu) += problem.K.cast<std::complex<double>>() * V.topRows(nx);
+  return V.allFinite() && V.norm() < 1e12 ? V : MatrixXcd();
+}
+
+/// A root W of the closeness of the regressors: D of D ⊗ I; of a full D_des the sum over the rows
+/// of Θ. Directions nobody asks for count a millionth.
+MatrixXd regressorWeights(const ExplorationProblem& problem) {
+  const int n = problem.numRegressors(), nx = problem.numStates();
+  MatrixXd D = problem.D_des;
+  if (D.size() == 1) D = MatrixXd::Identity(n, n);
+  if (D.rows() != n) {
+    MatrixXd sum = MatrixXd::Zero(n, n);
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) sum(i, j) = D.block(i * nx, j * nx, nx, nx).trace();
+    }
+    D = sum;
+  }
+  const double largest = quad_support::symmetricEigenvalues(D).tail(1)(0);
+  return quad_support::inverseSquareRoot(D + 1e-6 * largest * MatrixXd::Identity(n, n));
+}
+
+/// Σ p_h N_h = RᵀR in axes of its own: singular values of R and its right singular vectors. From
+/// the roots, not from the products: an integrator's gains differ by 1e10 on a long grid, their
+/// squares by more than doubles resolve.
+struct Axes {
+  VectorXd sigma;
+  MatrixXd vectors;
+};
+
+Axes axesOf(const std::vector<MatrixXd>& roots, const VectorXd& p) {
+  const Index rows = roots.front().rows(), n = roots.front().cols();
+  MatrixXd stacked(rows * p.size(), n);
+  for (Index h = 0; h < p.size(); ++h)
+    stacked.middleRows(h * rows, rows) = std::sqrt(p(h)) * roots[static_cast<std::size_t>(h)];
+  if (stacked.rows() < n) return {VectorXd::Zero(n), MatrixXd::Identity(n, n)};
+  const Eigen::HouseholderQR<MatrixXd> qr(stacked);
+  const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  return {quad_support::singularValues(R), quad_support::leftSingularVectors(R.transpose())};
+}
+
+/// Multiplicative steps p_h <- p_h (tr(M⁻⁴ N_h)/tr M⁻³)^{1/4}, normalised.
+/// @param roots  N_h = R_hᵀ R_h
+VectorXd bestSpectrum(const std::vector<MatrixXd>& roots) {
+  const auto count = static_cast<Index>(roots.size());
+  VectorXd p = VectorXd::Constant(count, 1.0 / static_cast<double>(count)), gains(count);
+  for (int step = 0; step < kSteps; ++step) {
+    const Axes axes = axesOf(roots, p);
+    const double least = axes.sigma.minCoeff();
+    if (!(least > 1e-14 * axes.sigma.maxCoeff())) {
+      throw quad_support::NegativeAnswer(
+          "no signal on these harmonics excites all parameters in steady state: is (A, B) "
+          "controllable, and the band wide enough?");
+    }
+    const VectorXd weights = (least * axes.sigma.cwiseInverse()).array().pow(4.0);  // M⁻², rooted
+    const MatrixXd turn = axes.vectors * weights.asDiagonal();
+    for (Index h = 0; h < count; ++h)
+      gains(h) = (roots[static_cast<std::size_t>(h)] * turn).squaredNorm();
+    p.array() *= (gains.array() / p.dot(gains)).pow(0.25);
+    p /= p.sum();
+  }
+  return p;
+}
+
+/// The highest peaks; every candidate's power goes to the nearest one.
+void pickLines(int count, FrequencyChoice& choice) {
+  const auto n = static_cast<int>(choice.grid.size());
+  std::vector<int> order, chosen;
+  for (int i = 0; i < n; ++i) order.push_back(i);
+  const auto isPeak = [&](int i) {
+    return (i == 0 || choice.power(i) >= choice.power(i - 1)) &&
+           (i == n - 1 || choice.power(i) > choice.power(i + 1));
+  };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    if (isPeak(a) != isPeak(b)) return isPeak(a);  // then what is left, if peaks are too few
+    return choice.power(a) > choice.power(b);
+  });
+  for (const int i : order) {
+    if (static_cast<int>(chosen.size()) < count) chosen.push_back(i);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  choice.shares.assign(chosen.size(), 0.0);
+  for (int i = 0; i < n; ++i) {
+    std::size_t nearest = 0;
+    for (std::size_t c = 1; c < chosen.size(); ++c) {
+      if (std::abs(chosen[c] - i) < std::abs(chosen[nearest] - i)) nearest = c;
+    }
+    choice.shares[nearest] += choice.power(i);
+  }
+  for (const int i : chosen) choice.harmonics.push_back(choice.grid[static_cast<std::size_t>(i)]);
+}
+
+}  // namespace
+
+FrequencyChoice chooseFrequencies(const ExplorationProblem& problem,
+                                  const FrequencyOptions& options) {
+  validate(problem);
+  const int T = problem.lines.num_samples, nu = problem.numInputs();
+  require(options.lines >= 0 && options.lines <= 10000, "lines = {}; must be 0 to 10000",
+          options.lines);
+  require(
+      options.band_low >= 0.0 && options.band_low < options.band_high && options.band_high <= 0.5,
+      "band = {} to {}; must be 0 <= low < high <= 1/2 cycles per sample", options.band_low,
+      options.band_high);
+  const double radius = MatrixXd(closedLoop(problem)).eigenvalues().cwiseAbs().maxCoeff();
+  if (radius > 1.0 + 1e-6) {  // the error of a double eigenvalue of 1 is 1e-8
+    throw quad_support::NegativeAnswer(
+        fmt::format("the system is unstable (spectral radius {:.6g}): there is no steady state to "
+                    "choose lines by. Add a stabilising K",
+                    radius));
+  }
+  const MatrixXd weights = regressorWeights(problem);
+  FrequencyChoice choice;
+  std::vector<MatrixXd> roots;
+  std::vector<MatrixXcd> responses;
+  for (const int h : candidates(T, options)) {
+    const MatrixXcd V = response(problem, static_cast<double>(h) / T);
+    if (V.size() == 0) continue;
+    choice.grid.push_back(h);
+    responses.push_back(V);
+    MatrixXd root(2 * nu, weights.rows());  // Re(V Vᴴ) = Re V Re Vᵀ + Im V Im Vᵀ
+    root << V.real().transpose() * weights, V.imag().transpose() * weights;
+    roots.push_back(std::sqrt(0.5 * T) * root);
+  }
+  require(!choice.grid.empty(), "every harmonic of the band is a pole of the system");
+  choice.power = bestSpectrum(roots);
+  choice.gain.resize(static_cast<Index>(choice.grid.size()), problem.numStates() * nu);
+  choice.phase = choice.gain;
+  for (std::size_t h = 0; h < responses.size(); ++h) {
+    for (int i = 0; i < problem.numStates(); ++i) {
+      for (int j = 0; j < nu; ++j) {
+        choice.gain(static_cast<Index>(h), i * nu + j) = std::abs(responses[h](i, j));
+        choice.phase(static_cast<Index>(h), i * nu + j) = std::arg(responses[h](i, j));
+      }
+    }
+  }
+  pickLines(options.lines == 0 ? problem.numRegressors() : options.lines, choice);
+  return choice;
+}
+
+}  // namespace explore_opt

@@ -1,0 +1,145 @@
+/// The audit agrees with honest designs and finds what was tampered with.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "explore_opt/audit.hpp"
+#include "explore_opt/design_json.hpp"
+#include "quad_support/errors.hpp"
+#include "thesis_problem.hpp"
+
+using namespace explore_opt;
+using explore_opt::testing::randomMatrix;
+using explore_opt::testing::thesisProblem;
+
+namespace {
+
+DesignClaims claimsOf(const ExplorationProblem& problem, const DesignResult& design) {
+  return claimsFromJson(designToJson(problem, design).dump(), "design.json", problem);
+}
+
+/// Names of the checks that failed.
+std::string failures(const ExplorationProblem& problem, const DesignClaims& claims) {
+  std::string names;
+  for (const AuditCheck& check : audit(problem, claims).checks)
+    if (!check.passed) names += check.name + " ";
+  return names;
+}
+
+ExplorationProblem randomProblem(std::uint64_t seed) {
+  const int nx = 1 + static_cast<int>(seed % 3), nu = 1 + static_cast<int>(seed % 2),
+            n = seed % 4 < 2 ? nx + nu : nx * (nx + nu);
+  ExplorationProblem problem;
+  problem.A = 0.25 * randomMatrix(seed, 0, nx, nx);
+  problem.B = randomMatrix(seed, 1, nx, nu);
+  if (seed % 5 == 0) problem.K = 0.05 * randomMatrix(seed, 2, nu, nx);
+  problem.lines = {120, {2, 9, 17, 31}, {}};
+  if (seed % 3 == 0) problem.lines = {100, {}, {0.0213, 0.1, 0.2718, 0.45}};
+  problem.phase = seed % 2 == 0 ? Phase::kSin : Phase::kBoth;
+  problem.gamma_w = 0.7;
+  const Eigen::MatrixXd root = randomMatrix(seed, 3, n, n);
+  problem.D_des = root * root.transpose() + 0.3 * Eigen::MatrixXd::Identity(n, n);
+  problem.D_des = (0.5 * (problem.D_des + problem.D_des.transpose())).eval();
+  return problem;
+}
+
+}  // namespace
+
+TEST(Audit, AgreesWithTheThesisDesigns) {
+  for (const Phase phase : {Phase::kSin, Phase::kCos, Phase::kBoth}) {
+    const ExplorationProblem problem = thesisProblem(phase);
+    const DesignResult design = designExploration(problem);
+    const AuditReport report = audit(problem, claimsOf(problem, design));
+    for (const AuditCheck& check : report.checks) EXPECT_TRUE(check.passed) << check.finding;
+    EXPECT_NEAR(report.gamma_e, design.gamma_e, 1e-12);
+    EXPECT_NEAR(report.lower_bound, design.lower_bound, 1e-9);
+    EXPECT_NEAR(report.lambda_min, design.lambda_min, 1e-10);  // λ_max/λ_min of N is 1e4
+    EXPECT_LE(report.gap, 1e-5);
+  }
+}
+
+TEST(Audit, AgreesWithDesignsOfManyKinds) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    const ExplorationProblem problem = randomProblem(seed);
+    DesignOptions options;
+    options.random_starts = 1;
+    const DesignResult design = designExploration(problem, options);
+    ASSERT_TRUE(design.feasible()) << design.message;
+    const AuditReport report = audit(problem, claimsOf(problem, design));
+    for (const AuditCheck& check : report.checks) EXPECT_TRUE(check.passed) << check.finding;
+    EXPECT_NEAR(report.lower_bound, design.lower_bound, 1e-7 * design.lower_bound);
+  }
+}
+
+TEST(Audit, FindsWhatWasTamperedWith) {
+  const ExplorationProblem problem = thesisProblem(Phase::kCos);
+  const DesignClaims honest = claimsOf(problem, designExploration(problem));
+  ASSERT_EQ(failures(problem, honest), "");
+
+  DesignClaims tampered = honest;
+  tampered.amplitudes *= 0.99;  // cheaper than possible
+  EXPECT_EQ(failures(problem, tampered), "feasible cost ");
+  tampered.gamma_e *= 0.99;  // and the claims fitted to it
+  tampered.gap = (tampered.gamma_e - tampered.lower_bound) / tampered.gamma_e;
+  EXPECT_EQ(failures(problem, tampered), "feasible gap ");
+
+  tampered = honest;
+  tampered.amplitudes(2, 0) *= -1.0;  // same norm, another direction
+  EXPECT_EQ(failures(problem, tampered), "feasible ");
+
+  tampered = honest;
+  tampered.lower_bound *= 1.001;
+  tampered.gamma_e *= 1.001;
+  tampered.amplitudes *= 1.001;  // all consistent, but the certificate does not prove it
+  EXPECT_EQ(failures(problem, tampered), "lower_bound ");
+
+  tampered = honest;
+  tampered.gap = 0.5;
+  EXPECT_EQ(failures(problem, tampered), "gap ");
+
+  tampered = honest;  // another Z proves less
+  tampered.certificate = Eigen::MatrixXd::Identity(3, 3);
+  tampered.multiplier = Eigen::MatrixXd();
+  EXPECT_EQ(failures(problem, tampered), "lower_bound ");
+  tampered.certificate = -honest.certificate;  // not ⪰ 0: its positive part is nothing
+  EXPECT_EQ(failures(problem, tampered), "lower_bound ");
+  tampered.certificate = Eigen::MatrixXd();
+  EXPECT_EQ(failures(problem, tampered), "lower_bound ");
+
+  // The problem changed behind the design's back.
+  for (int change = 0; change < 5; ++change) {
+    ExplorationProblem other = problem;
+    if (change == 0) other.gamma_w *= 1.01;
+    if (change == 1) other.D_des *= 1.01;
+    if (change == 2) other.A(0, 1) *= 0.5;
+    if (change == 3) other.lines.harmonics[3] = 40;
+    if (change == 4) other.phase = Phase::kSin;
+    EXPECT_NE(failures(other, honest), "") << change;
+  }
+}
+
+TEST(Audit, ScaledCertificatesProveTheSame) {
+  const ExplorationProblem problem = thesisProblem(Phase::kSin);
+  DesignClaims claims = claimsOf(problem, designExploration(problem));
+  claims.certificate *= 1e-7;
+  claims.multiplier *= 1e5;
+  EXPECT_EQ(failures(problem, claims), "");
+}
+
+TEST(Audit, RefusesWhatDoesNotFit) {
+  const ExplorationProblem problem = thesisProblem(Phase::kCos);
+  const DesignResult design = designExploration(problem);
+  DesignClaims claims = claimsOf(problem, design);
+  claims.amplitudes = Eigen::MatrixXd::Ones(3, 1);
+  EXPECT_THROW(audit(problem, claims), quad_support::DataError);
+  claims.amplitudes = Eigen::MatrixXd::Constant(4, 1, NAN);
+  EXPECT_THROW(audit(problem, claims), quad_support::DataError);
+  for (const char* key : {"amplitudes", "gamma_e", "lower_bound", "gap"}) {
+    auto json = designToJson(problem, design);
+    json[key] = nullptr;
+    EXPECT_THROW(claimsFromJson(json.dump(), "d.json", problem), quad_support::ConfigError) << key;
+    json.erase(key);
+    EXPECT_THROW(claimsFromJson(json.dump(), "d.json", problem), quad_support::ConfigError) << key;
+  }
+}

@@ -1,0 +1,111 @@
+/// Lines chosen by the frequency response.
+#include <gtest/gtest.h>
+
+#include <complex>
+
+#include "explore_opt/design_json.hpp"
+#include "explore_opt/exploration_design.hpp"
+#include "explore_opt/frequency_choice.hpp"
+#include "quad_support/atomic_file.hpp"
+#include "quad_support/errors.hpp"
+#include "thesis_problem.hpp"
+
+using namespace explore_opt;
+using explore_opt::testing::thesisProblem;
+
+namespace {
+
+ExplorationProblem flexibleStructure() {
+  const std::string path = EXPLORE_OPT_EXAMPLES "/flexible_structure.json";
+  return problemFromJson(quad_support::readFile(path), path);
+}
+
+}  // namespace
+
+TEST(FrequencyChoice, PictureHasTheFrequencyResponse) {
+  ExplorationProblem problem;
+  problem.A = Eigen::MatrixXd::Constant(1, 1, 0.8);
+  problem.B = (Eigen::MatrixXd(1, 2) << 0.5, -2.0).finished();
+  problem.lines = {200, {1}, {}};
+  problem.gamma_w = 1.0;
+  problem.D_des = Eigen::MatrixXd::Identity(1, 1);
+  const FrequencyChoice choice = chooseFrequencies(problem);
+  ASSERT_EQ(choice.grid.size(), 99u);
+  EXPECT_NEAR(choice.power.sum(), 1.0, 1e-12);
+  for (std::size_t i = 0; i < choice.grid.size(); ++i) {
+    const auto z = std::polar(1.0, 2.0 * M_PI * choice.grid[i] / 200.0);
+    for (int j = 0; j < 2; ++j) {
+      const std::complex<double> expected = problem.B(0, j) / (z - 0.8);
+      EXPECT_NEAR(choice.gain(static_cast<int>(i), j), std::abs(expected), 1e-13);
+      EXPECT_NEAR(choice.phase(static_cast<int>(i), j), std::arg(expected), 1e-13);
+    }
+  }
+  EXPECT_EQ(choice.harmonics.size(), 3u);  // n_φ
+}
+
+TEST(FrequencyChoice, FindsTheModesAndPays) {
+  ExplorationProblem problem = flexibleStructure();
+  problem.D_des.diagonal().head(10).setConstant(1e4);  // all modes matter
+  FrequencyOptions options;
+  options.lines = 12;
+  const FrequencyChoice choice = chooseFrequencies(problem, options);
+  EXPECT_EQ(choice.harmonics.size(), 12u);
+  for (const int mode : {20, 50, 90, 140, 200}) {  // the modes' harmonics; 2 % damping: ± 1 to ± 4
+    bool near = false;
+    for (const int h : choice.harmonics) near = near || std::abs(h - mode) <= 0.05 * mode;
+    EXPECT_TRUE(near) << mode;
+  }
+  // As many lines evenly spaced cost more, whichever modes they happen to meet.
+  ExplorationProblem other = problem;
+  other.lines.harmonics = choice.harmonics;
+  const double chosen = designExploration(other).gamma_e;
+  for (const int first : {10, 20}) {
+    other.lines.harmonics.clear();
+    for (int h = first; other.lines.size() < 12; h += 20) other.lines.harmonics.push_back(h);
+    EXPECT_LT(chosen, designExploration(other).gamma_e) << first;
+  }
+}
+
+TEST(FrequencyChoice, KeepsToTheBandAndTheNumberOfLines) {
+  FrequencyOptions options;
+  options.band_low = 0.03;
+  options.band_high = 0.1;
+  for (const int lines : {1, 5, 30, 200}) {
+    options.lines = lines;
+    const FrequencyChoice choice = chooseFrequencies(flexibleStructure(), options);
+    EXPECT_EQ(choice.harmonics.size(), static_cast<std::size_t>(std::min(lines, 71)));
+    EXPECT_GE(choice.harmonics.front(), 30);
+    EXPECT_LE(choice.harmonics.back(), 100);
+    double sum = 0.0;
+    for (const double share : choice.shares) sum += share;
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+    for (std::size_t i = 1; i < choice.harmonics.size(); ++i)
+      EXPECT_LT(choice.harmonics[i - 1], choice.harmonics[i]);
+  }
+}
+
+TEST(FrequencyChoice, ThinsALongGrid) {
+  ExplorationProblem problem = thesisProblem(Phase::kCos);
+  problem.lines = {1000000, {1}, {}};
+  const FrequencyChoice choice = chooseFrequencies(problem);
+  EXPECT_LT(choice.grid.size(), 1100u);
+  EXPECT_GT(choice.grid.size(), 500u);
+  EXPECT_EQ(choice.grid.front(), 1);
+}
+
+TEST(FrequencyChoice, SaysWhyItCannotChoose) {
+  ExplorationProblem problem = thesisProblem(Phase::kCos);
+  problem.A(1, 1) = 1.05;
+  EXPECT_THROW(chooseFrequencies(problem), quad_support::NegativeAnswer);
+  problem.K = (Eigen::MatrixXd(1, 2) << -0.5, -1.0).finished();
+  EXPECT_NO_THROW(chooseFrequencies(problem));
+  problem = thesisProblem(Phase::kCos);
+  problem.B.setZero();
+  EXPECT_THROW(chooseFrequencies(problem), quad_support::NegativeAnswer);
+  FrequencyOptions options;
+  options.band_high = 1e-4;
+  EXPECT_THROW(chooseFrequencies(thesisProblem(Phase::kCos), options), quad_support::DataError);
+  options = {};
+  options.lines = -1;
+  EXPECT_THROW(chooseFrequencies(thesisProblem(Phase::kCos), options), quad_support::DataError);
+}
