@@ -11,7 +11,7 @@ SECTIONS = ("The promise", "Simulator and time", "Pre-stabilising control", "Des
 
 ENTRIES = (
     Entry("nested_sets", "", "Nested uncertainty sets, targeted", 0, True, partial(knowledge_figures.shadows, name="targeted")),
-    Entry("ranking", "", "Targeted against random", 0, True, knowledge_figures.ranking),
+    Entry("ranking", "", "Rank, validity and error of the flights", 0, True, knowledge_figures.ranking),
     Entry("comparison", "", "The targeted signal among textbook signals", 0, True, comparison_figure.draw),
     Entry("nested_sets_random", "", "The same sets, random signal", 0, True, partial(knowledge_figures.shadows, name="random")),
     Entry("nested_in_space", "", "Nested sets in space", 0, False, knowledge_figures.nested_in_space),

@@ -151,6 +151,8 @@ def ranking(run):
 
 def among_seeds(run):
     """This run and the thesis among seeds, each value on the scale of the seeds' middle 90 %."""
+    if run.wallclock:
+        raise Gap("a wall-clock run has no seeds to be compared with")
     found = read_json(run.file("percentiles.json"))
     try:
         references = {row["key"]: row for row in read_json(run.file("table.json"))}
