@@ -123,8 +123,9 @@ class FlightCase(unittest.TestCase):
 
     def start(self, command, env=None, **options):
         env = dict(env or self.environment, TMPDIR=self.path("tmp"), **{MARK: self.folder})
+        options.setdefault("stderr", subprocess.PIPE)
         return subprocess.Popen(command, cwd=self.folder, env=env, text=True, stdin=subprocess.DEVNULL,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
+                                stdout=subprocess.PIPE, **options)
 
     def finish(self, process, limit=120):
         """Waits for the end. Nothing that was started may be left then."""

@@ -256,6 +256,38 @@ mount -o remount,size=16m disk; "$0" batch --spec spec.yaml --out disk/out --res
         self.assertRegex(answer.stderr, r"^quad_experiment: cannot create locked/out: Permission denied\n$")
         self.assertEqual(os.listdir(self.path("locked")), [])
 
+    def test_a_spec_that_changes_on_the_way(self):
+        """A worker that starts later refuses to fly another study; no run is blamed for it."""
+        self.expected()
+        process = self.start_batch("out", "--workers", "1", "--chunk", "2")
+        self.wait_for_runs(process, "out", 2)
+        self.write("spec.yaml", SPEC % RUNS + "# edited\n")
+        for pid, line in processes_with(self.folder).items():
+            if " worker " in line:
+                os.kill(pid, signal.SIGKILL)
+        answer = self.finish(process)
+        self.assertEqual(answer.code, 5, answer)
+        self.assertIn("has changed since the batch was begun", answer.stderr)
+        self.assertIn("workers end before they fly anything", answer.stderr)
+        self.write("spec.yaml", SPEC % RUNS)
+        self.batch("out", "--resume")
+        self.assertEqual(self.table("out"), self.expected())
+
+    def test_progress_on_a_terminal(self):
+        ours, theirs = os.openpty()
+        process = self.start([program("quad_experiment", "quad_experiment"), "batch", "--spec", "spec.yaml", "--out", "out", "--workers",
+                              "2", "--chunk", "1"], stderr=theirs)
+        os.close(theirs)
+        shown = b""
+        while True:
+            try:
+                shown += os.read(ours, 4096)
+            except OSError:   # the other end is closed
+                break
+        os.close(ours)
+        self.assertEqual(self.finish(process).code, 0)
+        self.assertRegex(shown.decode(), r"\d+ of %d runs, 2 workers, [\d.]+ a second, \d+:\d\d left" % RUNS)
+
     def test_two_at_once(self):
         process = self.start_batch("out", "--workers", "1", "--chunk", "2")
         self.wait_for_runs(process, "out", 2)

@@ -127,10 +127,12 @@ class Pool {
   void bury(Worker worker) {
     in_flight_ -= flown(*worker);
     const auto chunk = worker->chunk();
+    const bool flew = chunk && worker->run() >= 0;
     workers_.erase(worker);
-    if (!chunk) {
+    if (!flew) {  // no run's fault: the program or its spec is gone, or nobody lets it start
+      if (chunk) queue_.giveBack(chunk->runs, chunk->deaths);
       if (++idle_deaths_ > kMaxIdleDeaths)
-        throw quad_support::EnvironmentError("workers end before they are given any work");
+        throw quad_support::EnvironmentError("workers end before they fly anything");
       return;
     }
     if (const auto poison = queue_.died(*chunk)) record(*poison, RunStatus::kCrashed);
@@ -165,7 +167,7 @@ class Pool {
     workers_.clear();  // kills what is left
   }
 
-  static constexpr int kMaxIdleDeaths = 20;
+  static constexpr int kMaxIdleDeaths = 5;
 
   const BatchSpec& spec_;
   const BatchOptions& options_;
