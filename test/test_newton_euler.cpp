@@ -16,11 +16,14 @@ using reference::Method;
 using reference::Speeds;
 using reference::State;
 
+using quad_sim::Multibody;
+
 struct Scenario {
   std::string name;
   double duration;  ///< [s]
   State start;
   reference::Command command;
+  Multibody multibody = Multibody::kFolded;
 };
 
 void PrintTo(const Scenario& s, std::ostream* out) { *out << s.name; }
@@ -71,11 +74,19 @@ std::vector<Scenario> scenarios() {
   return all;
 }
 
+/// The same flights with the rotors as bodies of their own.
+std::vector<Scenario> hinged() {
+  std::vector<Scenario> all = scenarios();
+  for (Scenario& s : all) s.multibody = Multibody::kHinged;
+  return all;
+}
+
 State simulate(const Scenario& scenario, int steps_per_10ms) {
   const quad_sim::VehicleModel model = quad_sim::loadVehicle(quad_sim::findUrdf("hummingbird.urdf", ""));
   quad_sim::SimulatorOptions options;
   options.step = 0.01 / steps_per_10ms;
   options.ground = false;
+  options.multibody = scenario.multibody;
   quad_sim::Simulator simulator(model, options);
   quad_sim::VehicleState start;
   start.p_WB = scenario.start.p;
@@ -120,7 +131,22 @@ TEST_P(NewtonEuler, ErrorShrinksWithTheStepAndIsSmall) {
   }
 }
 
+TEST_P(NewtonEuler, FoldedAndHingedAgree) {
+  Scenario scenario = GetParam();
+  const State euler = reference::integrate(scenario.start, scenario.command, scenario.duration, 1e-3, Method::kSemiImplicitEuler);
+  const State truth = reference::integrate(scenario.start, scenario.command, scenario.duration, 1e-4, Method::kRungeKutta4);
+  scenario.multibody = Multibody::kFolded;
+  const State folded = simulate(scenario, 10);
+  scenario.multibody = Multibody::kHinged;
+  const State hinged = simulate(scenario, 10);
+  // Within what an honest first-order method may be off, twice; 1e-9 is what the reference is trusted for.
+  EXPECT_LE(distance(folded, hinged), std::max(2 * distance(euler, truth), 1e-9));
+}
+
 INSTANTIATE_TEST_SUITE_P(Flights, NewtonEuler, testing::ValuesIn(scenarios()),
+                         [](const testing::TestParamInfo<Scenario>& info) { return info.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(Hinged, NewtonEuler, testing::ValuesIn(hinged()),
                          [](const testing::TestParamInfo<Scenario>& info) { return info.param.name; });
 
 TEST(NewtonEulerReference, TheFlightsDoSomething) {

@@ -37,6 +37,18 @@ std::string escaped(const std::string& text) {
 
 const char* word(bool value) { return value ? "true" : "false"; }
 
+/// The two keys that may be left out, where they are not.
+std::string options(const quad_sim::SimulatorOptions& o) {
+  std::string y, names;
+  quad_sim::RotorsQuirks quirks = o.quirks;
+  for (const std::string& name : quad_sim::RotorsQuirks::names()) {
+    if (quirks.byName(name)) names += (names.empty() ? "" : ", ") + name;
+  }
+  if (!names.empty()) y += "  quirks: [" + names + "]\n";
+  if (o.seed != 0) y += fmt::format("  seed: {}  # of turbulence and sensors\n", o.seed);
+  return y;
+}
+
 std::string yaml(const ExperimentConfig& c, const std::string& urdf) {
   const auto& s = c.simulation;
   std::string y;
@@ -50,6 +62,7 @@ std::string yaml(const ExperimentConfig& c, const std::string& urdf) {
       s.options.multibody == quad_sim::Multibody::kFolded ? "folded" : "hinged",
       s.options.profile == quad_sim::Profile::kDefault ? "default" : "rotors_compat",
       word(s.options.ground), shortest(s.initial_altitude));
+  y += options(s.options);
   y += fmt::format(
       "timing:\n  sampling_period: {}  # [s]\n  mode: {}\n  forgetting_factor: {}\n  latency: {}  "
       "# [s]\n"

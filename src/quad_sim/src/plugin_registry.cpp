@@ -6,7 +6,9 @@
 
 #include "quad_sim/plugin.hpp"
 #include "quad_support/errors.hpp"
+#include "quirky_rotor_plugin.hpp"
 #include "rotor_plugin.hpp"
+#include "wind_plugin.hpp"
 
 namespace quad_sim {
 namespace {
@@ -17,8 +19,13 @@ struct Entry {
 };
 
 Plugin* makeRotors(const VehicleModel& model, const WorldSettings& world) {
+  const RotorsQuirks& q = world.quirks;
+  const bool quirky = q.thrust_lag || q.unchecked_commands || q.rolling_moment_sign || q.filter_survives_reset;
+  if (quirky) return new QuirkyRotorPlugin(model, world);
   return new RotorPlugin(model, world.step);
 }
+
+Plugin* makeWind(const VehicleModel& model, const WorldSettings& world) { return new WindPlugin(model, world); }
 
 /// The one place where a filename gets its meaning. An ordered map: messages list the names in the
 /// same order always.
@@ -27,7 +34,7 @@ const std::map<std::string, Entry>& registry() {
       {"librotors_gazebo_motor_model.so", {PluginRole::kForce, makeRotors}},
       {"librotors_gazebo_odometry_plugin.so", {PluginRole::kSensor, nullptr}},
       {"librotors_gazebo_imu_plugin.so", {PluginRole::kSensor, nullptr}},
-      {"librotors_gazebo_wind_plugin.so", {PluginRole::kIgnored, nullptr}},
+      {"librotors_gazebo_wind_plugin.so", {PluginRole::kForce, makeWind}},
       {"librotors_gazebo_multirotor_base_plugin.so", {PluginRole::kOutside, nullptr}},
       {"librotors_gazebo_controller_interface.so", {PluginRole::kOutside, nullptr}},
       {"librotors_gazebo_ros_interface_plugin.so", {PluginRole::kOutside, nullptr}},

@@ -1,6 +1,7 @@
 // The program quad_sim: simulate.
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <cstdio>
@@ -23,6 +24,8 @@ struct SimulateArguments {
   std::string urdf, commands, state, out;
   std::string mode = "folded", profile = "default", ground = "off";
   double step = 0.001, duration = 0, gravity = 9.8;
+  std::vector<std::string> quirks;
+  std::uint64_t seed = 0;
   std::int64_t every = 1;
   bool verbose = false;
 };
@@ -53,6 +56,10 @@ void addSimulate(CLI::App& app, SimulateArguments& a) {
   simulate->add_option("--ground", a.ground, "contact plane at z = 0: on or off")->capture_default_str();
   simulate->add_option("--mode", a.mode, "folded or hinged")->capture_default_str();
   simulate->add_option("--profile", a.profile, "default or rotors_compat")->capture_default_str();
+  simulate->add_option("--quirks", a.quirks, "of RotorS, to add to the default profile one by one: " +
+                                                 fmt::format("{}", fmt::join(quad_sim::RotorsQuirks::names(), ", ")))
+      ->delimiter(',');
+  simulate->add_option("--seed", a.seed, "of turbulence")->capture_default_str();
   simulate->add_flag("--verbose", a.verbose, "also list the URDF's plugins that have no effect here");
 }
 
@@ -102,10 +109,19 @@ int simulate(const SimulateArguments& a) {
                                                                      : quad_sim::Multibody::kFolded;
   options.profile = isSecond("--profile", a.profile, "default", "rotors_compat") ? quad_sim::Profile::kRotorsCompat
                                                                                  : quad_sim::Profile::kDefault;
+  for (const std::string& name : a.quirks) {
+    try {
+      options.quirks.byName(name) = true;
+    } catch (const std::invalid_argument& e) {
+      throw std::invalid_argument(std::string("--quirks ") + e.what());
+    }
+  }
+  options.seed = a.seed;
   if (a.every < 1) throw std::invalid_argument(fmt::format("--every {}; must be >= 1", a.every));
 
   const quad_sim::VehicleModel model = quad_sim::loadVehicle(a.urdf);
   const std::size_t rotors = model.rotors.size();
+  for (const std::string& note : model.notes) std::fprintf(stderr, "quad_sim: note: %s\n", note.c_str());
   if (a.verbose) {
     for (const std::string& plugin : quad_sim::ignoredPlugins(model)) {
       std::fprintf(stderr, "quad_sim: note: without effect here: %s\n", plugin.c_str());

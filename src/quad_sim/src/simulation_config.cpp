@@ -51,9 +51,13 @@ void readSimulation(const ConfigReader& in, SimulationConfig& config) {
   if (std::abs(ns - std::round(ns)) > 1e-6) in.fail("step", "must be a whole number of nanoseconds");
   o.gravity = in.number("gravity", Range::closed(0.0, 1000.0, "m/s^2"));
   const bool hinged = in.choice("multibody", {"folded", "hinged"}) == "hinged";
-  if (hinged) in.fail("multibody", "is not available in this version; use folded");
+  o.multibody = hinged ? Multibody::kHinged : Multibody::kFolded;
   const bool compat = in.choice("profile", {"default", "rotors_compat"}) == "rotors_compat";
-  if (compat) in.fail("profile", "is not available in this version; use default");
+  o.profile = compat ? Profile::kRotorsCompat : Profile::kDefault;
+  if (in.has("quirks")) {
+    for (const std::string& name : in.choices("quirks", RotorsQuirks::names())) o.quirks.byName(name) = true;
+  }
+  if (in.has("seed")) o.seed = static_cast<std::uint64_t>(in.number("seed", Range::closed(0, 4294967295.0, "")));
   o.ground = in.boolean("ground");
   config.initial_altitude = in.number("initial_altitude", Range::any("m"));
   if (o.ground && config.initial_altitude < 0) in.fail("initial_altitude", "must be >= 0 m above the ground");

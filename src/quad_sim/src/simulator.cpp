@@ -8,6 +8,7 @@
 #include "quad_sim/plugin.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/number_format.hpp"
+#include "hinged_body.hpp"
 #include "rigid_body.hpp"
 
 namespace quad_sim {
@@ -34,14 +35,6 @@ void check(const SimulatorOptions& options) {
   if (!(options.gravity >= 0) || !std::isfinite(options.gravity)) {
     throw std::invalid_argument(
         fmt::format("simulation.gravity = {} m/s^2; must be >= 0", shortest(options.gravity)));
-  }
-  if (options.multibody != Multibody::kFolded) {
-    throw std::invalid_argument(
-        "simulation.multibody = hinged; is not available in this version; use folded");
-  }
-  if (options.profile != Profile::kDefault) {
-    throw std::invalid_argument(
-        "simulation.profile = rotors_compat; is not available in this version; use default");
   }
 }
 
@@ -85,22 +78,47 @@ struct Simulator::World {
       : model(m),
         options((check(o), o)),
         step_ns(wholeNanoseconds(o.step)),
-        plugins(makePlugins(
-            m, {static_cast<double>(step_ns) * 1e-9, o.gravity, o.seed, o.allQuirks()})),
-        body(m, static_cast<double>(step_ns) * 1e-9, o.gravity, o.ground) {
+        settings{static_cast<double>(step_ns) * 1e-9, o.gravity, o.seed, o.allQuirks()},
+        plugins(makePlugins(m, settings)),
+        body(makeBody()) {
     for (const auto& plugin : plugins) {
       if (plugin->movesAir()) air.push_back(plugin.get());
     }
     setWind(Vector3d::Zero());
   }
 
+  std::unique_ptr<Body> makeBody() const {
+    if (options.multibody == Multibody::kHinged) return std::make_unique<HingedBody>(model, settings, options.ground);
+    return std::make_unique<RigidBody>(model, settings, options.ground);
+  }
+
   void restore(const VehicleState& state) {
+    for (const auto& plugin : plugins) plugin->restore(state);
+    placeBody(state);
+  }
+
+  void reset(const VehicleState& state) {
+    for (const auto& plugin : plugins) plugin->reset(state);
+    placeBody(state);
+  }
+
+  /// The body into that state, the rotors turning as they do.
+  void placeBody(VehicleState state) {
     Vector3d momentum = Vector3d::Zero();
     for (const auto& plugin : plugins) {
-      plugin->restore(state);
+      plugin->save(state);
       momentum += plugin->momentum();
     }
-    body.restore(state, momentum);
+    body->restore(state, momentum);
+    rotors_after = state;
+  }
+
+  /// Everything but the plant's state as at the start.
+  void forget() {
+    command = start.rotor_speed;
+    setWind(Vector3d::Zero());
+    counts = {};
+    contact_step = -1;
   }
 
   void archive(StateArchive& a) {
@@ -109,7 +127,7 @@ struct Simulator::World {
     a(outside_wind);
     a(wind);
     windy = !air.empty() || outside_wind != Vector3d::Zero();
-    body.archive(a);
+    body->archive(a);
     for (const auto& plugin : plugins) plugin->archive(a);
   }
 
@@ -129,14 +147,17 @@ struct Simulator::World {
 
   void step() {
     StepInput input;
-    body.motion(input);
+    body->motion(input);
     input.command = command.data();
     input.step = step_count;
     input.time = static_cast<double>(step_count * step_ns) * 1e-9;
     if (windy) blow(input);
     StepLoad load{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
     for (const auto& plugin : plugins) plugin->step(input, load);
-    if (body.step(load) && contact_step < 0) contact_step = step_count + 1;
+    if (options.multibody == Multibody::kHinged) {
+      for (const auto& plugin : plugins) plugin->save(rotors_after);
+    }
+    if (body->step(load, rotors_after.rotor_speed) && contact_step < 0) contact_step = step_count + 1;
     ++step_count;
   }
 
@@ -155,11 +176,13 @@ struct Simulator::World {
   VehicleModel model;
   SimulatorOptions options;
   std::int64_t step_ns;
+  WorldSettings settings;
   std::vector<std::unique_ptr<Plugin>> plugins;
   std::vector<Plugin*> air;  ///< those that move it
   Vector3d outside_wind = Vector3d::Zero(), wind = Vector3d::Zero();
   bool windy = false;
-  RigidBody body;
+  std::unique_ptr<Body> body;
+  VehicleState rotors_after;  ///< only the rotors' part of it: at the end of the step, for the hinges
   VehicleState start;
   std::vector<double> command;
   CommandCounts counts;
@@ -180,22 +203,28 @@ const SimulatorOptions& Simulator::options() const { return world_->options; }
 
 void Simulator::setStartState(const VehicleState& state) {
   check(state, world_->model);
-  world_->start = state;
-  reset();
+  World& w = *world_;
+  w.start = state;
+  w.forget();
+  w.step_count = 0;
+  w.restore(w.start);
 }
 
 void Simulator::reset() {
-  resetWorld();
-  world_->step_count = 0;
+  World& w = *world_;
+  w.forget();
+  w.step_count = 0;
+  w.reset(w.start);
 }
 
 void Simulator::resetWorld() {
   World& w = *world_;
-  w.command = w.start.rotor_speed;
-  w.setWind(Vector3d::Zero());
-  w.counts = {};
-  w.contact_step = -1;
-  w.restore(w.start);
+  if (w.settings.quirks.world_reset_keeps_rotors) {
+    w.contact_step = -1;
+    return w.placeBody(w.start);
+  }
+  w.forget();
+  w.reset(w.start);
 }
 
 void Simulator::setState(const VehicleState& state) {
@@ -237,21 +266,33 @@ void Simulator::setPhysics(double step, double gravity) {
   world_ = std::move(changed);
 }
 
+namespace {
+
+/// What the motors are told of a commanded speed.
+double motorReference(double speed, double max_speed, const RotorsQuirks& quirks) {
+  if (quirks.float_commands) speed = static_cast<double>(static_cast<float>(speed));
+  if (quirks.unchecked_commands) return speed > max_speed ? max_speed : speed;  // NaN stays NaN
+  return std::clamp(speed, 0.0, max_speed);
+}
+
+}  // namespace
+
 void Simulator::setCommand(const std::vector<double>& rotor_speeds) {
   World& w = *world_;
-  const bool finite = std::all_of(rotor_speeds.begin(), rotor_speeds.end(),
-                                  [](double x) { return std::isfinite(x); });
-  if (rotor_speeds.size() != w.command.size() || !finite) {
+  const RotorsQuirks& quirks = w.settings.quirks;
+  const bool sound = quirks.unchecked_commands || std::all_of(rotor_speeds.begin(), rotor_speeds.end(),
+                                                              [](double x) { return std::isfinite(x); });
+  if (rotor_speeds.size() != w.command.size() || !sound) {
     ++w.counts.refused;
-    throw quad_support::DataError(
-        finite ? fmt::format("command: {} rotor speeds; the vehicle has {} rotors",
-                             rotor_speeds.size(), w.command.size())
-               : "command: a rotor speed is not a finite number");
+    throw quad_support::DataError(sound ? fmt::format("command: {} rotor speeds; the vehicle has {} rotors", rotor_speeds.size(),
+                                                      w.command.size())
+                                        : "command: a rotor speed is not a finite number");
   }
   bool clamped = false;
   for (std::size_t i = 0; i < rotor_speeds.size(); ++i) {
-    w.command[i] = std::clamp(rotor_speeds[i], 0.0, w.model.rotors[i].max_speed);
-    clamped = clamped || w.command[i] != rotor_speeds[i];
+    const double max_speed = w.model.rotors[i].max_speed;
+    w.command[i] = motorReference(rotor_speeds[i], max_speed, quirks);
+    clamped = clamped || rotor_speeds[i] > max_speed || (rotor_speeds[i] < 0 && !quirks.unchecked_commands);
   }
   ++w.counts.accepted;
   w.counts.clamped += clamped ? 1 : 0;
@@ -265,7 +306,7 @@ void Simulator::advance(int steps) {
   std::string problem;
   try {
     for (int i = 0; i < steps; ++i) world_->step();
-    if (world_->body.isFinite()) return;
+    if (world_->body->isFinite()) return;
     problem = "the state is no longer finite";
   } catch (const quad_support::SimulationError& e) {
     problem = e.what();
@@ -281,7 +322,7 @@ std::int64_t Simulator::timeNanoseconds() const { return world_->step_count * wo
 
 VehicleState Simulator::state() const {
   VehicleState state;
-  world_->body.save(state);
+  world_->body->save(state);
   for (const auto& plugin : world_->plugins) plugin->save(state);
   return state;
 }
@@ -289,10 +330,11 @@ VehicleState Simulator::state() const {
 void Simulator::measure(Measurement& out) const {
   VehicleState state;
   state.rotor_speed.swap(out.rotor_speed);
-  world_->body.save(state);
+  world_->body->save(state);
   for (const auto& plugin : world_->plugins) plugin->save(state);
   out.rotor_speed.swap(state.rotor_speed);
-  out.odometry.time_ns = timeNanoseconds();
+  // RotorS samples at the start of a step whose time it has advanced already.
+  out.odometry.time_ns = timeNanoseconds() + (world_->settings.quirks.stamp_ahead ? stepNanoseconds() : 0);
   out.odometry.p_WB = state.p_WB;
   out.odometry.q_WB = state.q_WB;
   out.odometry.v_WB_B = state.q_WB.conjugate() * state.v_WB;
@@ -320,13 +362,34 @@ Odometry Simulator::odometry(const SensorModel& sensor) const {
 
 Vector3d Simulator::specificForce(const SensorModel& sensor) const {
   const Vector3d r_C = sensor.X_BS.translation() - world_->model.com_B;
-  return sensor.X_BS.linear().transpose() * world_->body.specificForce(r_C);
+  return sensor.X_BS.linear().transpose() * world_->body->specificForce(r_C);
 }
 
 void Simulator::setWind(const Vector3d& wind_W) {
   if (!wind_W.allFinite())
     throw std::invalid_argument("wind: every component must be a finite number of m/s");
   world_->setWind(wind_W);
+}
+
+Vector3d Simulator::outsideForce() const {
+  Vector3d sum = Vector3d::Zero();
+  for (const auto& plugin : world_->plugins) sum += plugin->outsideForce();
+  return sum;
+}
+
+std::vector<RotorState> Simulator::rotorStates() const { return world_->body->rotors(); }
+
+std::vector<int> Simulator::aliasedRotors() const {
+  const VehicleState now = state();
+  const World& w = *world_;
+  std::vector<int> numbers;
+  for (const RotorModel& rotor : w.model.rotors) {
+    const double speed = now.rotor_speed[static_cast<std::size_t>(rotor.motor_number)];
+    const double seen = w.settings.quirks.aliasing_blind ? rotor.spin * speed / rotor.slowdown : std::abs(speed);
+    constexpr double kHalfTurn = 3.141592653589793;  // [rad]
+    if (seen * w.settings.step > kHalfTurn) numbers.push_back(rotor.motor_number);
+  }
+  return numbers;
 }
 
 Vector3d Simulator::wind() const { return world_->wind; }

@@ -2,6 +2,7 @@
 #include <tinyxml2.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "quad_support/errors.hpp"
 #include "quad_support/number_format.hpp"
@@ -164,6 +165,25 @@ double PluginDeclaration::number(const std::string& tag) const {
 
 double PluginDeclaration::number(const std::string& tag, double fallback) const {
   return tags.count(tag) ? number(tag) : fallback;
+}
+
+Eigen::Vector3d PluginDeclaration::vector(const std::string& tag) const {
+  std::istringstream words(text(tag));
+  std::vector<double> numbers;
+  for (std::string word; words >> word;) {
+    try {
+      numbers.push_back(quad_support::parseDouble(word));
+    } catch (const std::invalid_argument&) {
+      fail(tag, "must be three numbers");
+    }
+    if (!std::isfinite(numbers.back())) fail(tag, "must be finite");
+  }
+  if (numbers.size() != 3) fail(tag, "must be three numbers");
+  return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+}
+
+Eigen::Vector3d PluginDeclaration::vector(const std::string& tag, const Eigen::Vector3d& fallback) const {
+  return tags.count(tag) ? vector(tag) : fallback;
 }
 
 }  // namespace quad_sim

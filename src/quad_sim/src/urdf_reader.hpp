@@ -20,6 +20,7 @@ struct LinkRecord {
   Eigen::Vector3d com_L = Eigen::Vector3d::Zero();
   Eigen::Matrix3d inertia_L = Eigen::Matrix3d::Zero();     ///< about the link's centre of mass, link axes
   std::vector<CollisionBox> boxes;                         ///< with X_BC in link axes
+  double disc_radius = 0, disc_height = 0;                 ///< of a collision cylinder [m]; 0: none
 };
 
 struct JointRecord {

@@ -55,7 +55,13 @@ LinkRecord toRecord(const urdf::Link& link) {
     record.inertia_L = X.linear() * inertia * X.linear().transpose();
   }
   for (const urdf::CollisionSharedPtr& collision : link.collision_array) {
-    if (!collision || !collision->geometry || collision->geometry->type != urdf::Geometry::BOX) continue;
+    if (!collision || !collision->geometry) continue;
+    if (collision->geometry->type == urdf::Geometry::CYLINDER) {
+      const auto& cylinder = static_cast<const urdf::Cylinder&>(*collision->geometry);
+      record.disc_radius = cylinder.radius;
+      record.disc_height = cylinder.length;
+    }
+    if (collision->geometry->type != urdf::Geometry::BOX) continue;
     const urdf::Vector3& dim = static_cast<const urdf::Box&>(*collision->geometry).dim;
     record.boxes.push_back({Eigen::Vector3d(dim.x, dim.y, dim.z), toIsometry(collision->origin)});
   }

@@ -122,8 +122,9 @@ TEST_F(Program, BadInputIsExitTwoAndLeavesNoFile) {
       {usual() + " --duration 1 --ground perhaps", "must be off or on"},
       {usual() + " --duration 1 --step 0", "quad_sim: --step 0 s; must be a whole number"},
       {usual() + " --duration 1 --gravity -1", "quad_sim: --gravity -1 m/s^2; must be >= 0"},
-      {usual() + " --duration 1 --mode hinged", "quad_sim: --mode hinged; is not available"},
-      {usual() + " --duration 1 --profile rotors_compat", "quad_sim: --profile rotors_compat; is not available"},
+      {usual() + " --duration 1 --mode loose", "quad_sim: --mode loose; must be folded or hinged"},
+      {usual() + " --duration 1 --profile gazebo", "quad_sim: --profile gazebo; must be default or rotors_compat"},
+      {usual() + " --duration 1 --quirks thrust_lag,wobble", "quad_sim: --quirks wobble; must be one of thrust_lag, "},
       {usual() + " --duration 1 --state " + path("nothing.csv"), "nothing.csv"},
       {"fly", "--help"},
   };

@@ -42,6 +42,19 @@ TEST(SimulationConfig, ReadsEveryKey) {
   EXPECT_EQ(read(replaced(kGood, "0.73", "urdf")).mass, std::nullopt);
 }
 
+TEST(SimulationConfig, ModesProfilesAndQuirks) {
+  EXPECT_EQ(read(kGood).options.multibody, Multibody::kFolded);
+  EXPECT_EQ(read(replaced(kGood, "folded", "hinged")).options.multibody, Multibody::kHinged);
+  const SimulationConfig compat = read(replaced(kGood, "profile: default", "profile: rotors_compat"));
+  EXPECT_EQ(compat.options.profile, Profile::kRotorsCompat);
+  EXPECT_TRUE(compat.options.allQuirks().stamp_ahead);
+  const SimulationConfig one = read(replaced(kGood, "profile: default", "profile: default\n  quirks: [thrust_lag]\n  seed: 7"));
+  EXPECT_TRUE(one.options.allQuirks().thrust_lag);
+  EXPECT_FALSE(one.options.allQuirks().stamp_ahead);
+  EXPECT_EQ(one.options.seed, 7U);
+  EXPECT_THAT(says("profile: default", "profile: default\n  quirks: [wobble]"), HasSubstr("simulation.quirks"));
+}
+
 TEST(SimulationConfig, StartsInEquilibrium) {
   const SimulationConfig c = read(kGood);
   const VehicleModel m = loadVehicle(c);

@@ -64,12 +64,17 @@ class Plugin {
   /// Takes over the part of a state that is the plugin's. Everything else it remembers starts
   /// afresh.
   virtual void restore(const VehicleState& state) = 0;
+  /// As restore(), at the start of a flight or of its repetition.
+  virtual void reset(const VehicleState& state) { restore(state); }
   /// Writes its part of the state.
   virtual void save(VehicleState& state) const = 0;
 
   /// Passes everything the plugin carries from one step to the next through the archive, in a fixed order, whichever
   /// way it goes: after loading, the plugin continues bit for bit where it was saved. Nothing to do without a memory.
   virtual void archive(StateArchive& /*archive*/) {}
+
+  /// Force from outside the vehicle during the last step [N], world axes, to be told to users; a part of what step() added.
+  virtual Eigen::Vector3d outsideForce() const { return Eigen::Vector3d::Zero(); }
 
   /// Angular momentum now of turning parts relative to the body [N m s], body axes.
   virtual Eigen::Vector3d momentum() const { return Eigen::Vector3d::Zero(); }

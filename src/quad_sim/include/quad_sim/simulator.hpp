@@ -92,10 +92,18 @@ class Simulator {
 
   /// A wind from outside [m/s], world axes, on top of the wind plugin's, held until the next; zero after reset(). @throws if not finite
   void setWind(const Eigen::Vector3d& wind_W);
+  /// Force of the wind plugin and the like during the last step [N], world axes.
+  Eigen::Vector3d outsideForce() const;
   Eigen::Vector3d wind() const;  ///< of the last step, all shares together [m/s], world axes
 
   /// Noise-free reading of an IMU: attitude and rate now, and specificForce().
   ImuReading imu(const SensorModel& sensor) const;
+
+  /// The rotors' own bodies; empty unless hinged.
+  std::vector<RotorState> rotorStates() const;
+  /// Motor numbers of rotors that turn more than half a turn in a physics step: what looks at them step by step sees them
+  /// turn slowly or backwards.
+  std::vector<int> aliasedRotors() const;
 
   bool groundContact() const;  ///< the vehicle has touched the ground since reset
   std::optional<std::int64_t> groundContactTime() const;  ///< first contact since reset [ns]

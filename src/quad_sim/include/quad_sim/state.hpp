@@ -15,7 +15,15 @@ struct VehicleState {
   Eigen::Quaterniond q_WB = Eigen::Quaterniond::Identity();    ///< B to W; normalised where it is taken in
   Eigen::Vector3d v_WB = Eigen::Vector3d::Zero();              ///< [m/s], world axes
   Eigen::Vector3d w_WB_B = Eigen::Vector3d::Zero();            ///< [rad/s], body axes
-  std::vector<double> rotor_speed;                             ///< [rad/s], >= 0, by motor number
+  std::vector<double> rotor_speed;  ///< [rad/s], >= 0 (but see RotorsQuirks::unchecked_commands), by motor number
+};
+
+/// Place and motion of a rotor's own body, world axes.
+struct RotorState {
+  Eigen::Vector3d p_WR;     ///< [m]
+  Eigen::Quaterniond q_WR;  ///< its z is the rotor's axis
+  Eigen::Vector3d v_WR;     ///< [m/s]
+  Eigen::Vector3d w_WR;     ///< [rad/s]
 };
 
 /// What the ideal odometry sensor delivers: the pose in W and the twist in BODY axes, like nav_msgs/Odometry.

@@ -25,6 +25,8 @@ struct PluginDeclaration {
   std::string text(const std::string& tag, const std::string& fallback) const;
   double number(const std::string& tag) const;  ///< a finite number
   double number(const std::string& tag, double fallback) const;
+  Eigen::Vector3d vector(const std::string& tag) const;  ///< three finite numbers with spaces between
+  Eigen::Vector3d vector(const std::string& tag, const Eigen::Vector3d& fallback) const;
   [[noreturn]] void fail(const std::string& tag, const std::string& problem) const;
 };
 
@@ -45,6 +47,7 @@ struct RotorModel {
   double mass = 0;      ///< [kg]
   double axial_inertia = 0;       ///< about axis_B [kg m²], physical (URDF's / slowdown)
   double transverse_inertia = 0;  ///< mean of the two others, physical
+  double disc_radius = 0, disc_height = 0;  ///< collision cylinder about the axis [m]; 0: none
 };
 
 /// A sensor's frame and what it is called on the outside.
@@ -78,6 +81,7 @@ struct VehicleModel {
   std::vector<CollisionBox> boxes;              ///< of the links fixed to base_link; none: no ground contact
   std::vector<PluginDeclaration> plugins;       ///< all, in the order of the file
   std::vector<std::string> link_names;
+  std::vector<std::string> notes;  ///< "file:line: …", what is odd about it and taken as it stands. Tell the user, once
 };
 
 /// Reads a plain URDF (xacro expanded).

@@ -21,6 +21,7 @@ Vehicle::Vehicle(const VehicleSpec& spec, WorldGate& gate, std::function<bool()>
       simulator(simulatorOf(spec)),
       topics(simulator, name, handle),
       commands(simulator, name, gate, std::move(running), handle) {
+  for (const std::string& note : simulator.model().notes) ROS_WARN("%s: %s", name.c_str(), note.c_str());
   for (const std::string& plugin : ignoredPlugins(simulator.model())) {
     ROS_INFO("%s: without effect in this version: %s", name.c_str(), plugin.c_str());
   }
