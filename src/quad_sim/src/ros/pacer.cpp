@@ -40,15 +40,22 @@ void Pacer::setRate(double step, double real_time_factor) {
   done_ = 0;
 }
 
+namespace {
+
+/// Steps that the wall clock asks for since `since`.
+std::int64_t stepsSince(Clock::time_point since, double real_time_factor, double step) {
+  const double elapsed = std::chrono::duration<double>(Clock::now() - since).count();
+  return static_cast<std::int64_t>(elapsed * real_time_factor / step);
+}
+
+}  // namespace
+
 /// Runs what is due since `since_`, of which `done_` steps are done already.
 void Pacer::runDue() {
   // At most this much at a time, so that callers get in between: about 10 ms of simulated time.
   const std::int64_t most = std::max<std::int64_t>(1, std::llround(0.01 / step_));
   std::int64_t due = most;
-  if (real_time_factor_ > 0) {
-    const double elapsed = std::chrono::duration<double>(Clock::now() - since_).count();
-    due = static_cast<std::int64_t>(elapsed * real_time_factor_ / step_) - done_;
-  }
+  if (real_time_factor_ > 0) due = stepsSince(since_, real_time_factor_, step_) - done_;
   const std::int64_t steps = std::clamp<std::int64_t>(due, 0, most);
   run_(steps);
   done_ += steps;
@@ -68,7 +75,7 @@ void Pacer::loop() {
         ROS_FATAL("%s; paused", e.what());
         running_ = false;
       }
-      const bool nap = real_time_factor_ > 0;
+      const bool nap = real_time_factor_ > 0 && stepsSince(since_, real_time_factor_, step_) <= done_;  // nothing is due yet
       lock.unlock();
       if (nap) std::this_thread::sleep_for(kNap);
       while (gate_.wanted()) std::this_thread::yield();
