@@ -9,8 +9,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 BarrierProgram::BarrierProgram(const QuadraticProgram& program, const VectorXd& candidate)
-    : F0_(-program.N(candidate) - program.rightSide()) {
-  for (int i = 0; i < program.numAmplitudes(); ++i) F_.push_back(program.derivative(candidate, i));
+    : F0_(program.N(candidate) - program.rightSide()) {
+  for (int i = 0; i < program.numAmplitudes(); ++i) {
+    F_.push_back(program.derivative(candidate, i));
+    F0_ -= candidate(i) * F_.back();
+  }
 }
 
 MatrixXd BarrierProgram::slack(const VectorXd& a) const {

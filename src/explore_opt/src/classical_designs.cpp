@@ -116,13 +116,18 @@ Eigen::MatrixXd classicalDesign(const ExplorationProblem& problem, ClassicalCrit
                                 std::uint64_t seed) {
   ExplorationProblem plain = problem;  // information in the parameters' own units
   plain.D_des = MatrixXd::Constant(1, 1, 1.0);
+  plain.u_max.resize(0);
+  plain.experiments = 1;
   if (criterion == ClassicalCriterion::kE) {
     DesignOptions options;
     options.seed = seed;
     const MatrixXd amplitudes = designExploration(plain, options).amplitudes;
     return amplitudes.size() > 0 ? MatrixXd(amplitudes / amplitudes.norm()) : MatrixXd();
   }
-  const DesignTask task{predictResponse(plain), plain.gamma_w, plain.numInputs()};
+  DesignTask task;
+  task.response = predictResponse(plain);
+  task.gamma_w = plain.gamma_w;
+  task.num_inputs = plain.numInputs();
   return bestOfStarts(task, criterion, seed);
 }
 

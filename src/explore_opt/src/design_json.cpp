@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -17,8 +18,9 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using quad_support::ConfigError;
 
-const std::set<std::string> kKeys = {"A",     "B",       "T",     "harmonics", "frequencies",
-                                     "phase", "gamma_w", "D_des", "x0",        "K"};
+const std::set<std::string> kKeys = {"A",     "B",    "T",     "harmonics",  "frequencies",
+                                     "phase", "cost", "K",     "gamma_w",    "D_des",
+                                     "x0",    "u_max", "known", "experiments"};
 
 /// Reads the values of one problem; every complaint names source and key.
 class Reader {
@@ -65,6 +67,32 @@ class Reader {
     return values;
   }
 
+  /// [A B] with null where an entry is unknown, which becomes NaN.
+  Eigen::MatrixXd matrixWithGaps(const std::string& key) const {
+    json rows = at(key);
+    std::vector<std::pair<std::size_t, std::size_t>> gaps;
+    for (std::size_t i = 0; rows.is_array() && i < rows.size(); ++i) {
+      for (std::size_t j = 0; rows[i].is_array() && j < rows[i].size(); ++j) {
+        if (!rows[i][j].is_null()) continue;
+        rows[i][j] = 0.0;
+        gaps.emplace_back(i, j);
+      }
+    }
+    Eigen::MatrixXd m = matrixFromJson(rows, source_ + ": " + key);
+    for (const auto& [i, j] : gaps) {
+      m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          std::numeric_limits<double>::quiet_NaN();
+    }
+    return m;
+  }
+
+  Eigen::VectorXd vector(const std::string& key) const {
+    if (at(key).is_number()) return Eigen::VectorXd::Constant(1, number(key));
+    const std::vector<double> values = numbers(key);
+    return Eigen::Map<const Eigen::VectorXd>(values.data(),
+                                             static_cast<Eigen::Index>(values.size()));
+  }
+
   std::string text(const std::string& key) const {
     if (!at(key).is_string()) fail(key, fmt::format("= {}; must be a text", at(key).dump()));
     return at(key).get<std::string>();
@@ -75,7 +103,7 @@ class Reader {
       if (kKeys.count(item.key()) == 0) {
         fail(item.key(),
              "is not a key; there are A, B, T, harmonics, frequencies, phase, gamma_w, D_des, x0, "
-             "K");
+             "K, cost, known, u_max, experiments");
       }
     }
   }
@@ -105,6 +133,26 @@ ordered_json amplitudesToJson(const Eigen::MatrixXd& amplitudes, Phase phase) {
           {"sin", matrixToJson(amplitudes.bottomRows(L))}};
 }
 
+/// The amplitudes of each run.
+ordered_json runsToJson(const ExplorationProblem& problem, const Eigen::MatrixXd& amplitudes) {
+  ordered_json runs = ordered_json::array();
+  const Eigen::Index rows = amplitudes.rows() / problem.experiments;
+  for (int i = 0; i < problem.experiments; ++i)
+    runs.push_back(amplitudesToJson(amplitudes.middleRows(i * rows, rows), problem.phase));
+  return runs;
+}
+
+ordered_json peakMultipliersToJson(const DesignResult& result) {
+  ordered_json list = ordered_json::array();
+  for (const PeakMultiplier& peak : result.peak_multipliers) {
+    ordered_json entry = {{"sample", peak.sample}};
+    entry["input"] = peak.input >= 0 ? ordered_json(peak.input) : ordered_json(nullptr);
+    entry["value"] = peak.value;
+    list.push_back(entry);
+  }
+  return list;
+}
+
 }  // namespace
 
 ExplorationProblem problemFromJson(const std::string& text, const std::string& source) {
@@ -122,13 +170,15 @@ ExplorationProblem problemFromJson(const std::string& text, const std::string& s
   problem.gamma_w = in.number("gamma_w");
   problem.D_des = in.at("D_des").is_number() ? Eigen::MatrixXd::Constant(1, 1, in.number("D_des"))
                                              : in.matrix("D_des");
-  if (in.has("x0")) {
-    const std::vector<double> x0 = in.numbers("x0");
-    problem.x0 = Eigen::Map<const Eigen::VectorXd>(x0.data(), static_cast<Eigen::Index>(x0.size()));
-  }
+  if (in.has("x0")) problem.x0 = in.vector("x0");
   if (in.has("K")) problem.K = in.matrix("K");
+  if (in.has("known")) problem.known = in.matrixWithGaps("known");
+  if (in.has("u_max")) problem.u_max = in.vector("u_max");
+  if (in.has("experiments"))
+    problem.experiments = in.integer(in.at("experiments"), "experiments");
   try {
     problem.phase = phaseFromString(in.text("phase"));
+    if (in.has("cost")) problem.cost = costFromString(in.text("cost"));
     validate(problem);
   } catch (const quad_support::DataError& e) {
     throw ConfigError(fmt::format("{}: {}", source, e.what()));
@@ -141,14 +191,23 @@ ordered_json designToJson(const ExplorationProblem& problem, const DesignResult&
   out["status"] = toString(result.status);
   out["method"] = toString(result.method);
   out["message"] = result.message;
-  out["amplitudes"] = result.feasible() ? amplitudesToJson(result.amplitudes, problem.phase)
-                                        : ordered_json(nullptr);
+  const bool one = problem.experiments == 1;
+  out["amplitudes"] = one && result.feasible() ? amplitudesToJson(result.amplitudes, problem.phase)
+                                               : ordered_json(nullptr);
+  if (!one && result.feasible()) out["experiments"] = runsToJson(problem, result.amplitudes);
   out["gamma_e"] = numberOrNull(result.gamma_e);
   out["lower_bound"] =
       result.lower_bound > 0.0 ? numberOrNull(result.lower_bound) : ordered_json(nullptr);
   out["gap"] = numberOrNull(result.gap);
   out["certificate"] =
       result.certificate.size() > 0 ? matrixToJson(result.certificate) : ordered_json(nullptr);
+  out["multiplier"] =
+      result.multiplier.size() > 0 ? matrixToJson(result.multiplier) : ordered_json(nullptr);
+  if (problem.u_max.size() > 0) {
+    out["peak_multipliers"] = peakMultipliersToJson(result);
+    out["peak"] = numberOrNull(result.peak);
+  }
+  out["relaxation_rank"] = result.relaxation_rank;
   out["lambda_min"] = numberOrNull(result.lambda_min);
   out["inner_gap"] =
       result.method == DesignMethod::kMm ? numberOrNull(result.inner_gap) : ordered_json(nullptr);
@@ -158,7 +217,8 @@ ordered_json designToJson(const ExplorationProblem& problem, const DesignResult&
         {{"gamma_e", iteration.gamma_e},
          {"step", iteration.step},
          {"inner_gap", iteration.inner_gap},
-         {"amplitudes", amplitudesToJson(iteration.amplitudes, problem.phase)}});
+         {"amplitudes", one ? amplitudesToJson(iteration.amplitudes, problem.phase)
+                            : runsToJson(problem, iteration.amplitudes)}});
   }
   out["seconds"] = result.seconds;
   return out;

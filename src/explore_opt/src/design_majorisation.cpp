@@ -2,12 +2,11 @@
 
 #include <cmath>
 
-#include "barrier_program.hpp"
 #include "checks.hpp"
 #include "design_tools.hpp"
-#include "dual_bound.hpp"
-#include "ipopt_solver.hpp"
+#include "inner_relaxation.hpp"
 #include "quad_support/interrupt.hpp"
+#include "relaxation.hpp"
 
 namespace explore_opt {
 namespace {
@@ -17,44 +16,10 @@ using Eigen::VectorXd;
 
 constexpr double kSolverTolerance = 1e-9;
 constexpr int kSolverIterations = 200;
-constexpr double kShrink = 1e-3;  // of the barrier weight; smaller ones make Newton's steps crawl
-constexpr double kMargin = 1e-3;  // start of a relaxation outside the boundary
-
-/// Solution of one relaxation, in scaled coordinates.
-struct InnerSolution {
-  VectorXd a;
-  MatrixXd Z;
-  double gap = 0.0;
-  bool centred = false;
-};
-
-/// Follows the barrier's path from (1 + 1e-3) ã, strictly inside because ã is on the boundary and N
-/// grows with the square, down to the weight whose gap n μ is `last_gap`.
-InnerSolution solveRelaxation(const QuadraticProgram& program, IpoptSolver& solver,
-                              const VectorXd& candidate, double last_gap) {
-  BarrierProgram relaxation(program, candidate);
-  const int n = program.size();
-  InnerSolution inner;
-  inner.a = (1.0 + kMargin) * candidate;
-  const double last = last_gap / n;
-  double mu = std::max(last, 0.5 * kMargin * candidate.squaredNorm() / n);
-  for (;;) {
-    relaxation.setWeight(mu);
-    const SolverAnswer answer = solver.solve(relaxation, {inner.a, {}});
-    double f = 0.0;
-    if (answer.status == SolverStatus::kFailed || !relaxation.objective(answer.x, f)) return inner;
-    inner.a = answer.x;
-    inner.Z = relaxation.certificate(inner.a);
-    inner.gap = relaxation.gap(inner.a);
-    inner.centred = inner.gap <= 1.5 * n * mu;  // exactly n μ at the centre
-    if (mu <= last) return inner;
-    mu = std::max(last, kShrink * mu);
-  }
-}
 
 void record(const DesignTask& task, RawDesign& design, const VectorXd& a, double gap) {
   DesignIteration iteration;
-  iteration.gamma_e = a.norm();
+  iteration.gamma_e = task.costAt(a);
   iteration.step = design.iterations.empty() ? 0.0 : (a - design.amplitudes).norm();
   iteration.inner_gap = gap;
   iteration.amplitudes = task.table(a);
@@ -63,20 +28,22 @@ void record(const DesignTask& task, RawDesign& design, const VectorXd& a, double
   design.inner_gap = gap;
 }
 
-VectorXd startOf(const DesignTask& task, const DesignOptions& options, RawDesign& design) {
+VectorXd startOf(const ExplorationProblem& problem, const DesignTask& task,
+                 const DesignOptions& options, RawDesign& design) {
   const auto p = task.response.numAmplitudes();
   if (options.initial_amplitudes.size() > 0) {
     requireShape(options.initial_amplitudes, p, 1, "initial amplitudes");
-    if (task.excites(options.initial_amplitudes))
-      return task.onBoundary(options.initial_amplitudes);
+    const VectorXd candidate = task.map.toNormalised(options.initial_amplitudes);
+    if (std::isfinite(task.cost(candidate))) return task.onBoundary(candidate);
     design.message =
         "the initial amplitudes do not excite all parameters; change their direction, size does "
         "not matter";
     return {};
   }
-  if (task.excites(VectorXd::Ones(p))) return task.onBoundary(VectorXd::Ones(p));
+  if (problem.numInputs() == 1 && std::isfinite(task.cost(VectorXd::Ones(p))))
+    return task.onBoundary(VectorXd::Ones(p));  // equal inputs are all but singular for n_u >= 2
   if (const auto start = cheapestSimpleDirection(task, options.seed)) return *start;
-  design.message = "no amplitudes of these lines excite all parameters; add lines or samples";
+  design.message = reasonNothingExcites(problem, task);
   return {};
 }
 
@@ -94,7 +61,7 @@ VectorXd extrapolated(const DesignTask& task, const VectorXd& before, const Vect
   VectorXd best = after;
   for (double factor = 2.0; factor <= 1024.0; factor *= 2.0) {
     const VectorXd direction = before + factor * (after - before);
-    if (!(task.cost(direction) < best.norm())) break;
+    if (!(task.cost(direction) < task.costAt(best))) break;
     best = task.onBoundary(direction);
   }
   return best;
@@ -108,13 +75,15 @@ Outcome improve(const DesignTask& task, const DesignOptions& options, double gap
                 IpoptSolver& solver, RawDesign& design) {
   const VectorXd before = design.amplitudes;
   const QuadraticProgram program(task.response, task.gamma_w, before);
-  const InnerSolution inner = solveRelaxation(program, solver, program.toScaled(before), 0.5 * gap);
+  const InnerSolution inner =
+      solveInnerRelaxation(program, solver, program.toScaled(before), 0.5 * gap);
   design.status = inner.centred ? DesignStatus::kSolved : DesignStatus::kReducedAccuracy;
   if (inner.Z.size() == 0) return Outcome::kNoDecrease;
   const Certificate certificate = task.certify(program.toCertificate(inner.Z));
   if (certificate.bound > design.certificate.bound) design.certificate = certificate;
 
   VectorXd a = task.onBoundary(program.toAmplitudes(inner.a));
+  if (a.size() == 0) return Outcome::kNoDecrease;
   if (options.extrapolate) a = extrapolated(task, before, a);
   const double decrease = before.norm() - a.norm();
   if (!(decrease > 0.0)) return Outcome::kNoDecrease;
@@ -142,19 +111,30 @@ bool iterate(const DesignTask& task, const DesignOptions& options, RawDesign& de
 
 }  // namespace
 
-RawDesign designByMajorisation(const DesignTask& task, const DesignOptions& options) {
+RawDesign designByMajorisation(const ExplorationProblem& problem, const DesignTask& task,
+                               const DesignOptions& options) {
   RawDesign design;
-  const VectorXd start = startOf(task, options, design);
+  const VectorXd start = startOf(problem, task, options, design);
   if (start.size() == 0) {
     design.status = DesignStatus::kNotExciting;
     return design;
   }
   record(task, design, start, 0.0);
+  if (!(start.norm() > 0.0)) {
+    design.status = DesignStatus::kSolved;
+    design.message = "the response to x0 satisfies the condition without a signal";
+    design.certificate.bound = std::sqrt(task.map.floor) * (1.0 - 1e-13);
+    return design;
+  }
   const bool converged = iterate(task, options, design);
   if (!converged) design.status = DesignStatus::kIterationLimit;
-  const QuadraticProgram program(task.response, task.gamma_w, design.amplitudes);
-  const Certificate dual = task.certify(program.toCertificate(solveDual(program, 1e-9).Z));
-  if (dual.bound > design.certificate.bound) design.certificate = dual;
+  if (isSmallEnough(task)) {
+    const QuadraticProgram program(task.response, task.gamma_w, design.amplitudes);
+    const RelaxedSolution relaxed =
+        solveRelaxed(program, program.toScaled(design.amplitudes), 1e-9);
+    const Certificate dual = task.certify(program.toCertificate(relaxed.Z));
+    if (dual.bound > design.certificate.bound) design.certificate = dual;
+  }
   design.message =
       fmt::format("{} steps, {}", design.iterations.size() - 1,
                   converged ? "cost and step below their thresholds" : "iteration limit reached");

@@ -1,5 +1,7 @@
 #include "design_tools.hpp"
 
+#include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "quad_support/linear_algebra.hpp"
@@ -8,10 +10,12 @@
 namespace explore_opt {
 namespace {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kLeastEigenvalueRatio = 1e-9;
+constexpr double kLeastEigenvalueRatio = 1e-14;
+constexpr double kEps = std::numeric_limits<double>::epsilon();
 constexpr std::uint64_t kDirectionStream = 0x646972656374;  // of this purpose alone
 constexpr std::uint64_t kSimpleDirections = 1 << 20;        // apart from the solver's random starts
 
@@ -19,13 +23,88 @@ constexpr std::uint64_t kSimpleDirections = 1 << 20;        // apart from the so
 double largestEigenvalue(const PredictedResponse& response, const MatrixXd& Z) {
   PredictedResponse sizes;
   for (const MatrixXd& F : response.factors) sizes.factors.push_back(F.cwiseAbs());
-  const double rounding =
-      8.0 * std::numeric_limits<double>::epsilon() * sizes.gramOf(Z.cwiseAbs()).norm();
-  return quad_support::SymmetricEigen(response.gramOf(Z)).values.tail(1)(0) +
-         rounding;
+  const double rounding = 8.0 * kEps * sizes.gramOf(Z.cwiseAbs()).norm();
+  return quad_support::symmetricEigenvalues(response.gramOf(Z)).tail(1)(0) + rounding;
+}
+
+/// The Lagrangian ½‖b‖² + t(½ bᵀG b + gᵀb + c) of a multiplier scaled by t.
+struct ScaledLagrangian {
+  MatrixXd G;
+  VectorXd g;
+  double c = 0.0, size = 0.0;  // size: of the terms of c, for their rounding
+
+  /// Its least value over b, -infinity if it has none.
+  double leastValue(double t) const {
+    MatrixXd P = t * G;
+    P.diagonal().array() += 1.0 - 1e-13;
+    const Eigen::LLT<MatrixXd> llt(P);
+    if (llt.info() != Eigen::Success) return -std::numeric_limits<double>::infinity();
+    const VectorXd x = llt.solve(g);
+    return t * c - 0.5 * t * t * g.dot(x) - 8.0 * kEps * t * size;
+  }
+
+  /// The t of the largest leastValue(t), a concave function: golden section on [0, 2].
+  double bestScale() const {
+    constexpr double kGolden = 0.6180339887498949;
+    double low = 0.0, high = 2.0;
+    double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+    double at_a = leastValue(a), at_b = leastValue(b);
+    for (int i = 0; i < 80; ++i) {
+      if (at_a >= at_b || !std::isfinite(at_b)) {
+        high = b;
+        b = a;
+        at_b = at_a;
+        a = high - kGolden * (high - low);
+        at_a = leastValue(a);
+      } else {
+        low = a;
+        a = b;
+        at_a = at_b;
+        b = low + kGolden * (high - low);
+        at_b = leastValue(b);
+      }
+    }
+    return low;
+  }
+};
+
+ScaledLagrangian lagrangian(const DesignTask& task, const MatrixXd& Z, const VectorXd& nu,
+                            double reward) {
+  ScaledLagrangian l;
+  l.G = -2.0 * task.response.gramOf(Z);
+  l.g = -2.0 * task.response.gramWithOffset(Z);
+  l.c = reward;
+  l.size = std::abs(reward);
+  if (!task.response.homogeneous()) {
+    const MatrixXd& F = task.response.offset;
+    const double start = (F * Z).cwiseProduct(F).sum();
+    l.c -= start;
+    l.size += start;
+  }
+  for (Index k = 0; k < nu.size(); ++k) {
+    const PeakConstraint& peak = task.peaks[static_cast<std::size_t>(k)];
+    const double weight = nu(k) / (peak.limit * peak.limit);
+    l.G += weight * peak.rows.transpose() * peak.rows;
+    l.g += weight * peak.rows.transpose() * peak.offset;
+    l.c += 0.5 * (weight * peak.offset.squaredNorm() - nu(k));
+    l.size += nu(k);
+  }
+  return l;
 }
 
 }  // namespace
+
+VectorXd AmplitudeMap::toAmplitudes(const VectorXd& b) const {
+  VectorXd a = shape.size() > 0 ? VectorXd(shape * b) : b;
+  if (centre.size() > 0) a += centre;
+  return a;
+}
+
+VectorXd AmplitudeMap::toNormalised(const VectorXd& a) const {
+  const VectorXd moved = centre.size() > 0 ? VectorXd(a - centre) : a;
+  if (shape.size() == 0) return moved;
+  return shape.triangularView<Eigen::Upper>().solve(moved);
+}
 
 bool DesignTask::excites(const VectorXd& direction) const {
   MatrixXd F = response.factor(direction);
@@ -39,39 +118,105 @@ bool DesignTask::excites(const VectorXd& direction) const {
 }
 
 double DesignTask::cost(const VectorXd& direction) const {
+  if (!direction.allFinite()) return std::numeric_limits<double>::infinity();
+  if (!response.homogeneous()) {
+    const VectorXd b = onBoundary(direction);
+    return b.size() > 0 ? costAt(b) : std::numeric_limits<double>::infinity();
+  }
   if (!excites(direction)) return std::numeric_limits<double>::infinity();
   return std::sqrt(gamma_w / response.lambdaMin(direction)) * direction.norm();
 }
 
 VectorXd DesignTask::onBoundary(const VectorXd& direction) const {
   constexpr double kUp = 1.0 + 4e-16;
-  VectorXd a = direction * std::sqrt(gamma_w / response.lambdaMin(direction));
-  for (int i = 0; i < 50 && response.lambdaMin(a) < gamma_w; ++i) a *= kUp + i * 1e-15;
-  return a;
+  if (response.homogeneous()) {
+    VectorXd a = direction * std::sqrt(gamma_w / response.lambdaMin(direction));
+    for (int i = 0; i < 50 && response.lambdaMin(a) < gamma_w; ++i) a *= kUp + i * 1e-15;
+    return a;
+  }
+  const auto inside = [&](double t) { return response.lambdaMin(t * direction) >= gamma_w; };
+  double high = 1.0, factor = 1.0 + 1e-12;
+  while (!inside(high)) {
+    high *= factor;
+    factor = std::min(factor * factor, 8.0);
+    if (!(high < 1e12)) return {};
+  }
+  double low = high, down = 1.0 - 1e-9;
+  while (inside(low)) {
+    high = low;
+    low *= down;
+    down = std::max(down * down, 0.125);
+    if (low < 1e-12) return excites(0.0 * direction) ? VectorXd(0.0 * direction) : VectorXd();
+  }
+  while (high - low > 4e-16 * high) {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high) break;
+    (inside(middle) ? high : low) = middle;
+  }
+  const VectorXd b = high * direction;
+  return excites(b) ? b : VectorXd();
 }
 
-Certificate DesignTask::certify(const MatrixXd& Z) const {
+Certificate DesignTask::certify(const MatrixXd& Z, const VectorXd& nu) const {
   const quad_support::SymmetricEigen cone(Z);
   const VectorXd positive = cone.values.cwiseMax(0.0);
   Certificate certificate;
   certificate.Z = cone.vectors * positive.asDiagonal() * cone.vectors.transpose();
   certificate.Z = 0.5 * (certificate.Z + certificate.Z.transpose()).eval();
-  const double largest = largestEigenvalue(response, certificate.Z);
-  const double square = gamma_w * certificate.Z.trace() / largest;
-  if (!(largest > 0.0) || !std::isfinite(square)) return {MatrixXd::Zero(Z.rows(), Z.cols()), 0.0};
-  certificate.Z /= 2.0 * largest;  // the multiplier of ½‖a‖²: 2 λ_max(H(Z)) = 1
+  certificate.nu = nu.cwiseMax(0.0);
+  const Certificate nothing{MatrixXd::Zero(Z.rows(), Z.cols()), 0.0, 0.0 * nu};
+  const double reward =
+      gamma_w * (required.size() > 0 ? required.cwiseProduct(certificate.Z).sum()
+                                     : certificate.Z.trace());
+  if (response.homogeneous() && nu.size() == 0) {
+    const double largest = largestEigenvalue(response, certificate.Z);
+    const double square = reward / largest;
+    if (!(largest > 0.0) || !std::isfinite(square) || !(square > 0.0)) return nothing;
+    certificate.Z /= 2.0 * largest;  // the multiplier of ½‖a‖²: 2 λ_max(H(Z)) = 1
+    certificate.bound = std::sqrt(square) * (1.0 - 1e-13);
+    return certificate;
+  }
+  const ScaledLagrangian l = lagrangian(*this, certificate.Z, certificate.nu, reward);
+  const double t = l.bestScale();
+  const double square = 2.0 * l.leastValue(t) + map.floor;
+  if (!(square > 0.0) || !std::isfinite(square)) return nothing;
+  certificate.Z *= t;
+  certificate.nu *= t;
   certificate.bound = std::sqrt(square) * (1.0 - 1e-13);
   return certificate;
 }
 
-MatrixXd DesignTask::table(const VectorXd& a) const {
+MatrixXd DesignTask::table(const VectorXd& b) const {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Index p = b.size() / runs;
+  VectorXd a(b.size());
+  for (int i = 0; i < runs; ++i)
+    a.segment(i * p, p) =
+        map.toAmplitudes(std::sqrt(static_cast<double>(runs)) * b.segment(i * p, p));
   return Eigen::Map<const RowMajor>(a.data(), a.size() / num_inputs, num_inputs);
 }
 
 VectorXd DesignTask::components(const MatrixXd& table) const {
   const MatrixXd transposed = table.transpose();
-  return Eigen::Map<const VectorXd>(transposed.data(), transposed.size());
+  return map.toNormalised(Eigen::Map<const VectorXd>(transposed.data(), transposed.size()));
+}
+
+DesignTask DesignTask::replicated(int r) const {
+  if (r == 1) return *this;
+  DesignTask task = *this;
+  task.runs = r;
+  task.response.factors.clear();
+  const Index rows = response.factors.front().rows(), n = response.size();
+  for (int i = 0; i < r; ++i) {
+    for (const MatrixXd& F : response.factors) {
+      MatrixXd tall = MatrixXd::Zero(r * rows, n);
+      tall.middleRows(i * rows, rows) = F;
+      task.response.factors.push_back(std::move(tall));
+    }
+  }
+  if (!response.homogeneous())
+    task.response.offset = response.offset.replicate(r, 1) / std::sqrt(static_cast<double>(r));
+  return task;
 }
 
 VectorXd randomDirection(const DesignTask& task, std::uint64_t seed, std::uint64_t index) {

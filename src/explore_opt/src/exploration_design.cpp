@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "constraint_shape.hpp"
 #include "design_tools.hpp"
+#include "peak_limits.hpp"
 
 namespace explore_opt {
 namespace {
-
-DesignTask taskOf(const ExplorationProblem& problem) {
-  return {predictResponse(problem), problem.gamma_w, problem.numInputs()};
-}
 
 void validate(const DesignOptions& options) {
   requirePositive(options.gap_tolerance, "gap tolerance");
@@ -26,31 +24,62 @@ void validate(const DesignOptions& options) {
   requireFinite(options.initial_amplitudes, "initial amplitudes");
 }
 
-/// ± a cost and achieve the same: the answer has its largest entry positive.
+/// Combinations a method does not solve are the caller's mistake.
+void validateFor(const ExplorationProblem& problem, const DesignOptions& options) {
+  if (options.method == DesignMethod::kMm) {
+    require(problem.u_max.size() == 0, "method mm knows no u_max; use method global");
+    require(problem.experiments == 1, "method mm designs one experiment; use method global");
+  }
+  require(problem.u_max.size() == 0 || problem.experiments == 1,
+          "u_max with experiments = {} is not solved; leave one of them out", problem.experiments);
+}
+
+/// From rest ± a cost and achieve the same: the answer has its largest entry positive.
 Eigen::VectorXd withPositiveLargest(const Eigen::VectorXd& a) {
   Eigen::Index largest = 0;
   a.cwiseAbs().maxCoeff(&largest);
   return a(largest) < 0.0 ? Eigen::VectorXd(-a) : a;
 }
 
-void fill(const DesignTask& task, const RawDesign& raw, DesignResult& result) {
+void refuse(DesignResult& result, const std::string& why) {
+  result.status = DesignStatus::kNumericalError;
+  result.message = why;
+}
+
+void fill(const ExplorationProblem& problem, const DesignTask& single, const RawDesign& raw,
+          DesignResult& result) {
   result.status = raw.status;
   result.message = raw.message;
   result.iterations = raw.iterations;
   result.inner_gap = raw.inner_gap;
+  result.relaxation_rank = raw.rank;
   result.certificate = raw.certificate.Z;
   result.lower_bound = raw.certificate.bound;
+  if (raw.certificate.Z.size() > 0)
+    result.multiplier = ConstraintShape(problem).multiplier(raw.certificate.Z);
+  for (Eigen::Index k = 0; k < raw.certificate.nu.size(); ++k) {
+    const PeakConstraint& peak = raw.peaks[static_cast<std::size_t>(k)];
+    const double value = raw.certificate.nu(k) / (peak.limit * peak.limit);
+    if (value > 0.0) result.peak_multipliers.push_back({peak.sample, peak.input, value});
+  }
   if (raw.amplitudes.size() == 0) return;
+  const DesignTask task = single.replicated(problem.experiments);
   const double lambda_min = task.response.lambdaMin(raw.amplitudes) / task.gamma_w;
   if (!raw.amplitudes.allFinite() || !(lambda_min >= 1.0 - 1e-9)) {
-    result.status = DesignStatus::kNumericalError;
-    result.message =
-        fmt::format("the amplitudes reach only {} of the required information", lambda_min);
-    return;
+    return refuse(result, fmt::format("the amplitudes reach only {} of the required information",
+                                      lambda_min));
   }
-  result.amplitudes = task.table(withPositiveLargest(raw.amplitudes));
-  result.gamma_e = raw.amplitudes.norm();
-  result.gap = (result.gamma_e - result.lower_bound) / result.gamma_e;
+  const Eigen::MatrixXd amplitudes = task.table(
+      task.response.homogeneous() ? withPositiveLargest(raw.amplitudes) : raw.amplitudes);
+  if (problem.u_max.size() > 0) {
+    result.peak = peakRatio(problem, amplitudes);
+    if (result.peak > 1.0 + 1e-9)
+      return refuse(result, fmt::format("the amplitudes found reach {} of u_max", result.peak));
+  }
+  result.amplitudes = amplitudes;
+  result.gamma_e = task.costAt(raw.amplitudes);
+  result.gap =
+      result.gamma_e > 0.0 ? (result.gamma_e - result.lower_bound) / result.gamma_e : 0.0;
   result.lambda_min = lambda_min;
 }
 
@@ -88,18 +117,24 @@ std::string toString(DesignStatus status) {
 DesignResult designExploration(const ExplorationProblem& problem, const DesignOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   validate(options);
-  const DesignTask task = taskOf(problem);
+  validateFor(problem, options);
   DesignResult result;
   result.method = options.method;
-  fill(task,
-       options.method == DesignMethod::kGlobal ? designGlobal(task, options)
-                                               : designByMajorisation(task, options),
-       result);
+  try {
+    const DesignTask task = taskOf(problem);
+    fill(problem, task,
+         options.method == DesignMethod::kGlobal ? designGlobal(problem, task, options)
+                                                 : designByMajorisation(problem, task, options),
+         result);
+  } catch (const ResponseOverflow& e) {
+    refuse(result, e.what());
+  }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }
 
 double lowerBound(const ExplorationProblem& problem, const Eigen::MatrixXd& certificate) {
+  require(problem.u_max.size() == 0, "with u_max a bound needs the multipliers of the peaks too");
   const DesignTask task = taskOf(problem);
   requireShape(certificate, task.response.size(), task.response.size(), "certificate");
   requireFinite(certificate, "certificate");

@@ -14,9 +14,7 @@ constexpr double kTwoPi = 6.283185307179586476925286766559;
 /// A point of the unit circle given as a fraction of a turn, folded to within an eighth of one of
 /// the axes, so that sines and cosines of equal angles come out equal and those of multiples of a
 /// quarter turn exact.
-struct Turn {
-  double cosine, sine;
-};
+using Turn = CarrierValue;
 
 Turn turn(double fraction) {
   const double quarters = std::round(4.0 * fraction);
@@ -47,12 +45,6 @@ Turn turnOfFrequency(double frequency, double k) {
   return turn(product - std::floor(product) + lost);
 }
 
-Turn carrierTurn(const SpectralLines& lines, int line, int k) {
-  const auto i = static_cast<std::size_t>(line);
-  return lines.harmonics.empty() ? turnOfFrequency(lines.frequencies[i], k)
-                                 : turnOfHarmonic(lines.harmonics[i], k, lines.num_samples);
-}
-
 template <typename T>
 void requireDistinct(const std::vector<T>& values, const char* name) {
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -60,6 +52,18 @@ void requireDistinct(const std::vector<T>& values, const char* name) {
     require(first == values.begin() + static_cast<std::ptrdiff_t>(i),
             "{}[{}] = {} stands in the list already (at {})", name, i, values[i],
             first - values.begin());
+  }
+}
+
+/// Lines f and 1 - f (h and T - h) are the same.
+template <typename T>
+void requireNotMirrored(const std::vector<T>& values, T whole, const char* name) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!(2 * values[i] > whole)) continue;
+    for (const T other : values) {
+      require(other != whole - values[i], "{0}[{1}] = {2}, but {2} is {3} mirrored, the same line; leave it out", name, i,
+              values[i], other);
+    }
   }
 }
 
@@ -82,6 +86,8 @@ void validate(const SpectralLines& lines) {
   require(lines.harmonics.empty() != lines.frequencies.empty(),
           "{} harmonics and {} frequencies; give exactly one of the two lists",
           lines.harmonics.size(), lines.frequencies.size());
+  requireNotMirrored(lines.harmonics, T, "harmonics");
+  requireNotMirrored(lines.frequencies, 1.0, "frequencies");
   for (std::size_t i = 0; i < lines.harmonics.size(); ++i) {
     const int h = lines.harmonics[i];
     require(h > 0 && h <= (T - 1) / 2, "harmonics[{}] = {}; must lie in 1..{} (below T/2, T = {})",
@@ -97,6 +103,12 @@ void validate(const SpectralLines& lines) {
   requireDistinct(lines.frequencies, "frequencies");
 }
 
+CarrierValue carrierAt(const SpectralLines& lines, int line, int k) {
+  const auto i = static_cast<std::size_t>(line);
+  return lines.harmonics.empty() ? turnOfFrequency(lines.frequencies[i], k)
+                                 : turnOfHarmonic(lines.harmonics[i], k, lines.num_samples);
+}
+
 int numCarriers(const SpectralLines& lines, Phase phase) {
   return phase == Phase::kBoth ? 2 * lines.size() : lines.size();
 }
@@ -107,7 +119,7 @@ Eigen::MatrixXd carriers(const SpectralLines& lines, Phase phase) {
   Eigen::MatrixXd rows(numCarriers(lines, phase), T);
   for (int k = 0; k < T; ++k) {
     for (int i = 0; i < L; ++i) {
-      const Turn t = carrierTurn(lines, i, k);
+      const Turn t = carrierAt(lines, i, k);
       rows(i, k) = phase == Phase::kSin ? t.sine : t.cosine;
       if (phase == Phase::kBoth) rows(L + i, k) = t.sine;
     }

@@ -1,6 +1,8 @@
 #include "factor_program.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
 
 #include "quad_support/linear_algebra.hpp"
 
@@ -13,7 +15,8 @@ FactorProgram::FactorProgram(const QuadraticProgram& program)
     : program_(program),
       p_(program.numAmplitudes()),
       n_(program.size()),
-      triangle_(n_ * (n_ + 1) / 2) {}
+      triangle_(n_ * (n_ + 1) / 2),
+      peaks_(static_cast<int>(program.peaks().size())) {}
 
 MatrixXd FactorProgram::lowerOf(const VectorXd& x) const {
   MatrixXd L = MatrixXd::Zero(n_, n_);
@@ -40,6 +43,10 @@ void FactorProgram::constraints(const VectorXd& x, VectorXd& c) {
   for (int i = 0; i < n_; ++i) {
     for (int j = 0; j <= i; ++j) c(at(i, j)) = difference(i, j);
   }
+  for (int k = 0; k < peaks_; ++k) {
+    const double s = x(p_ + triangle_ + k);
+    c(triangle_ + k) = program_.peaks()[static_cast<std::size_t>(k)].room(x.head(p_)) - s * s;
+  }
 }
 
 Positions FactorProgram::jacobianPositions() const {
@@ -52,6 +59,10 @@ Positions FactorProgram::jacobianPositions() const {
         if (i != j) positions.emplace_back(at(i, j), p_ + at(j, k));
       }
     }
+  }
+  for (int k = 0; k < peaks_; ++k) {
+    for (int a = 0; a < p_; ++a) positions.emplace_back(triangle_ + k, a);
+    positions.emplace_back(triangle_ + k, p_ + triangle_ + k);
   }
   return positions;
 }
@@ -70,6 +81,12 @@ void FactorProgram::jacobian(const VectorXd& x, VectorXd& values) {
       }
     }
   }
+  for (int k = 0; k < peaks_; ++k) {
+    const PeakConstraint& peak = program_.peaks()[static_cast<std::size_t>(k)];
+    const VectorXd slope = -2.0 * peak.rows.transpose() * (peak.rows * x.head(p_) + peak.offset);
+    for (int a = 0; a < p_; ++a) values(next++) = slope(a);
+    values(next++) = -2.0 * x(p_ + triangle_ + k);
+  }
 }
 
 Positions FactorProgram::hessianPositions() const {
@@ -82,13 +99,19 @@ Positions FactorProgram::hessianPositions() const {
       for (int k = j; k <= i; ++k) positions.emplace_back(p_ + at(i, j), p_ + at(k, j));
     }
   }
+  for (int k = 0; k < peaks_; ++k)
+    positions.emplace_back(p_ + triangle_ + k, p_ + triangle_ + k);
   return positions;
 }
 
 bool FactorProgram::hessian(const VectorXd&, double weight, const VectorXd& multipliers,
                             VectorXd& values) {
   const MatrixXd Lambda = -certificateOf(multipliers);
-  const MatrixXd H = program_.H(Lambda);
+  MatrixXd H = program_.H(Lambda);
+  for (int k = 0; k < peaks_; ++k) {
+    const MatrixXd& Q = program_.peaks()[static_cast<std::size_t>(k)].rows;
+    H -= multipliers(triangle_ + k) * Q.transpose() * Q;
+  }
   int next = 0;
   for (int a = 0; a < p_; ++a) {
     for (int b = 0; b <= a; ++b) values(next++) = 2.0 * H(a, b) + (a == b ? weight : 0.0);
@@ -98,6 +121,7 @@ bool FactorProgram::hessian(const VectorXd&, double weight, const VectorXd& mult
       for (int k = j; k <= i; ++k) values(next++) = -2.0 * Lambda(i, k);
     }
   }
+  for (int k = 0; k < peaks_; ++k) values(next++) = -2.0 * multipliers(triangle_ + k);
   return true;
 }
 
@@ -112,6 +136,10 @@ VectorXd FactorProgram::startAt(const VectorXd& a) const {
   for (int i = 0; i < n_; ++i) {
     for (int j = 0; j <= i; ++j) x(p_ + at(i, j)) = U(j, j) < 0.0 ? -U(j, i) : U(j, i);
   }
+  for (int k = 0; k < peaks_; ++k) {
+    const double room = program_.peaks()[static_cast<std::size_t>(k)].room(a);
+    x(p_ + triangle_ + k) = std::sqrt(std::max(room, 0.0));
+  }
   return x;
 }
 
@@ -123,12 +151,17 @@ MatrixXd FactorProgram::certificateOf(const VectorXd& multipliers) const {
   return Z;
 }
 
-VectorXd FactorProgram::multipliersOf(const MatrixXd& Z) const {
-  VectorXd multipliers(triangle_);
+VectorXd FactorProgram::multipliersOf(const MatrixXd& Z, const VectorXd& nu) const {
+  VectorXd multipliers(triangle_ + peaks_);
+  multipliers.tail(peaks_) = -0.5 * nu;
   for (int i = 0; i < n_; ++i) {
     for (int j = 0; j <= i; ++j) multipliers(at(i, j)) = (i == j ? -1.0 : -2.0) * Z(i, j);
   }
   return multipliers;
+}
+
+VectorXd FactorProgram::peakMultipliersOf(const VectorXd& multipliers) const {
+  return -2.0 * multipliers.tail(peaks_);
 }
 
 }  // namespace explore_opt

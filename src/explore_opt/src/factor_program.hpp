@@ -7,16 +7,17 @@
 
 namespace explore_opt {
 
-/// min ½‖a‖² s.t. the lower triangle of N(a) - R - L Lᵀ is zero; L lower triangular, its diagonal
-/// of any sign. Variables: a, then L row by row. Constraints: the lower triangle row by row. math:
+/// min ½‖a‖² s.t. the lower triangle of N(a) - R - L Lᵀ is zero, L lower triangular with a diagonal
+/// of any sign, and room_k(a) - s_k² = 0 for each peak limit, a 1 x 1 inequality written alike.
+/// Variables: a, then L row by row, then s. Constraints: the lower triangle row by row, then peaks.
 /// ∂c/∂a_i = ∂N/∂a_i; the Hessian of λᵀc is 2 H(Λ) in a and -2 Λ_ik δ_jl in (L_ij, L_kl), Λ = (λ +
-/// λᵀ)/2.
+/// λᵀ)/2; a peak adds -2 λ_k Q_kᵀQ_k in a and -2 λ_k in s_k.
 class FactorProgram : public SmoothProgram {
  public:
   explicit FactorProgram(const QuadraticProgram& program);
 
-  int numVariables() const override { return p_ + triangle_; }
-  int numConstraints() const override { return triangle_; }
+  int numVariables() const override { return p_ + triangle_ + peaks_; }
+  int numConstraints() const override { return triangle_ + peaks_; }
   bool objective(const Eigen::VectorXd& x, double& f) override;
   bool gradient(const Eigen::VectorXd& x, Eigen::VectorXd& g) override;
   void constraints(const Eigen::VectorXd& x, Eigen::VectorXd& c) override;
@@ -31,14 +32,16 @@ class FactorProgram : public SmoothProgram {
   Eigen::VectorXd amplitudesOf(const Eigen::VectorXd& x) const { return x.head(p_); }
   /// Z = -Λ of the solver's multipliers, and back.
   Eigen::MatrixXd certificateOf(const Eigen::VectorXd& multipliers) const;
-  Eigen::VectorXd multipliersOf(const Eigen::MatrixXd& Z) const;
+  Eigen::VectorXd multipliersOf(const Eigen::MatrixXd& Z, const Eigen::VectorXd& nu) const;
+  /// ν = -2 λ of the peak limits.
+  Eigen::VectorXd peakMultipliersOf(const Eigen::VectorXd& multipliers) const;
 
  private:
   Eigen::MatrixXd lowerOf(const Eigen::VectorXd& x) const;
   int at(int i, int j) const { return i * (i + 1) / 2 + j; }
 
   const QuadraticProgram& program_;
-  int p_, n_, triangle_;
+  int p_, n_, triangle_, peaks_;
 };
 
 }  // namespace explore_opt

@@ -1,70 +1,86 @@
 #include "quadratic_program.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 
 #include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
 
-Eigen::MatrixXd symmetric(const Eigen::MatrixXd& m) { return 0.5 * (m + m.transpose()); }
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd symmetric(const MatrixXd& m) { return 0.5 * (m + m.transpose()); }
+
+/// C with (F C)ᵀ F C = I and CᵀC diagonal, ascending. Columns of F are scaled to one length first:
+/// then the singular values are as accurate as the data.
+MatrixXd whitening(const MatrixXd& F) {
+  const VectorXd lengths = F.colwise().norm().cwiseInverse();
+  const Eigen::JacobiSVD<MatrixXd> svd(F * lengths.asDiagonal(), Eigen::ComputeThinV);
+  const MatrixXd white =
+      lengths.asDiagonal() * svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal();
+  return white * quad_support::SymmetricEigen(white.transpose() * white).vectors;
+}
 
 }  // namespace
 
 QuadraticProgram::QuadraticProgram(const PredictedResponse& response, double gamma_w,
-                                   const Eigen::VectorXd& reference)
-    : p_(response.numAmplitudes()), scale_(reference.norm()) {
-  const Eigen::MatrixXd N = response.information(reference);
-  const Eigen::VectorXd diagonal = N.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd slack = diagonal.asDiagonal() *
-                                (N - gamma_w * Eigen::MatrixXd::Identity(N.rows(), N.cols())) *
-                                diagonal.asDiagonal();
-  const quad_support::SymmetricEigen eigen(symmetric(slack));
-  C_ = diagonal.asDiagonal() * eigen.vectors.rowwise().reverse();
+                                   const VectorXd& reference,
+                                   const std::vector<PeakConstraint>& peaks)
+    : p_(response.numAmplitudes()), scale_(reference.norm()), peaks_(peaks) {
+  C_ = whitening(response.factor(reference));
   R_ = symmetric(gamma_w * C_.transpose() * C_);
 
-  std::vector<Eigen::MatrixXd> factors;
+  std::vector<MatrixXd> factors;
   for (const auto& F : response.factors) factors.push_back(scale_ * F * C_);
-  S_.resize(static_cast<std::size_t>(p_) * static_cast<std::size_t>(p_));
-  for (int a = 0; a < p_; ++a) {
-    for (int b = 0; b <= a; ++b) {
-      const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b),
-                 n = static_cast<std::size_t>(p_);
-      S_[i * n + j] = S_[j * n + i] = symmetric(factors[i].transpose() * factors[j]);
-    }
+  for (std::size_t a = 0; a < factors.size(); ++a) {
+    for (std::size_t b = 0; b <= a; ++b)
+      S_.push_back(symmetric(factors[a].transpose() * factors[b]));
+  }
+  if (!response.homogeneous()) {
+    const MatrixXd offset = response.offset * C_;
+    S_00_ = symmetric(offset.transpose() * offset);
+    for (const MatrixXd& F : factors) S_offset_.push_back(symmetric(offset.transpose() * F));
+  }
+  for (PeakConstraint& peak : peaks_) {
+    peak.rows *= scale_ / peak.limit;
+    peak.offset /= peak.limit;
+    peak.limit = 1.0;
   }
 }
 
-Eigen::MatrixXd QuadraticProgram::N(const Eigen::VectorXd& a) const {
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size(), size());
+MatrixXd QuadraticProgram::N(const VectorXd& a) const {
+  MatrixXd sum = homogeneous() ? MatrixXd::Zero(size(), size()) : S_00_;
   for (int i = 0; i < p_; ++i) {
+    if (!homogeneous()) sum += 2.0 * a(i) * S_0(i);
     sum += a(i) * a(i) * S(i, i);
     for (int j = 0; j < i; ++j) sum += 2.0 * a(i) * a(j) * S(i, j);
   }
   return sum;
 }
 
-Eigen::MatrixXd QuadraticProgram::derivative(const Eigen::VectorXd& a, int i) const {
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size(), size());
+MatrixXd QuadraticProgram::derivative(const VectorXd& a, int i) const {
+  MatrixXd sum = homogeneous() ? MatrixXd::Zero(size(), size()) : MatrixXd(2.0 * S_0(i));
   for (int j = 0; j < p_; ++j) sum += 2.0 * a(j) * S(i, j);
   return sum;
 }
 
-Eigen::MatrixXd QuadraticProgram::H(const Eigen::MatrixXd& Z) const {
-  Eigen::MatrixXd h(p_, p_);
+MatrixXd QuadraticProgram::H(const MatrixXd& Z) const {
+  MatrixXd h(p_, p_);
   for (int i = 0; i < p_; ++i) {
     for (int j = 0; j <= i; ++j) h(i, j) = h(j, i) = Z.cwiseProduct(S(i, j)).sum();
   }
   return h;
 }
 
-Eigen::MatrixXd QuadraticProgram::toCertificate(const Eigen::MatrixXd& Z) const {
+MatrixXd QuadraticProgram::toCertificate(const MatrixXd& Z) const {
   return symmetric(scale_ * scale_ * C_ * Z * C_.transpose());
 }
 
-Eigen::MatrixXd QuadraticProgram::fromCertificate(const Eigen::MatrixXd& Z) const {
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(C_);
-  const Eigen::MatrixXd half = lu.solve(Z);  // C⁻¹ Z
+MatrixXd QuadraticProgram::fromCertificate(const MatrixXd& Z) const {
+  const Eigen::PartialPivLU<MatrixXd> lu(C_);
+  const MatrixXd half = lu.solve(Z);  // C⁻¹ Z
   return symmetric(lu.solve(half.transpose())) / (scale_ * scale_);
 }
 

@@ -1,4 +1,4 @@
-/// min ½‖a‖² s.t. N(a) = Σ a_a a_b S_ab ⪰ R, in coordinates where numbers are of the order of one.
+/// min ½‖a‖² s.t. N(a) ⪰ R and peak limits, in coordinates where numbers are of the order of one.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,38 +8,68 @@
 
 namespace explore_opt {
 
+/// ‖rows a + offset‖ <= limit: the predicted input (or one of its components) at one instant.
+struct PeakConstraint {
+  int sample = 0;
+  int input = -1;        ///< -1: the norm of all inputs
+  Eigen::MatrixXd rows;  ///< m x p
+  Eigen::VectorXd offset;
+  double limit = 0.0;
+
+  /// (limit² - ‖rows a + offset‖²)/limit²: 1 - (peak/limit)²
+  double room(const Eigen::VectorXd& a) const {
+    return 1.0 - (rows * a + offset).squaredNorm() / (limit * limit);
+  }
+};
+
 /// The design problem after a change of coordinates a = s â, N̂ = Cᵀ N C (which keeps the order of
-/// matrices).
+/// matrices). N(a) = S_00 + 2 Σ a_i S_0i + Σ a_i a_j S_ij; S_00 and S_0i only if x_0 is not zero.
 ///
-/// C makes N̂ of the reference amplitudes ã have a unit diagonal (integrators spread it over six
-/// decades) and turns N̂(ã) - R̂ diagonal, largest entry first, so that the direction in which the
+/// C makes N̂ of the reference amplitudes ã the identity (integrators and unstable modes spread it
+/// over many decades) and turns R̂ diagonal, smallest entry first, so that the direction in which the
 /// constraint is active comes last.
 class QuadraticProgram {
  public:
   /// @param reference  ã with N(ã) ≻ 0, scaled to the boundary λ_min(N(ã)) = γ_w
   QuadraticProgram(const PredictedResponse& response, double gamma_w,
-                   const Eigen::VectorXd& reference);
+                   const Eigen::VectorXd& reference,
+                   const std::vector<PeakConstraint>& peaks = {});
 
   int numAmplitudes() const { return p_; }
   int size() const { return static_cast<int>(R_.rows()); }
+  bool homogeneous() const { return S_offset_.empty(); }
   const Eigen::MatrixXd& rightSide() const { return R_; }
 
-  const Eigen::MatrixXd& S(int a, int b) const { return S_[static_cast<std::size_t>(a * p_ + b)]; }
+  const Eigen::MatrixXd& S(int a, int b) const { return S_[index(a, b)]; }
+  const Eigen::MatrixXd& S_00() const { return S_00_; }
+  const Eigen::MatrixXd& S_0(int a) const { return S_offset_[static_cast<std::size_t>(a)]; }
   Eigen::MatrixXd N(const Eigen::VectorXd& a) const;
-  Eigen::MatrixXd derivative(const Eigen::VectorXd& a, int i) const;  ///< ∂N/∂a_i = 2 Σ_b a_b S_ib
+  Eigen::MatrixXd derivative(const Eigen::VectorXd& a, int i) const;  ///< ∂N/∂a_i
   Eigen::MatrixXd H(const Eigen::MatrixXd& Z) const;                  ///< tr(Z S_ab), Z symmetric
+
+  /// Scaled: limit 1.
+  const std::vector<PeakConstraint>& peaks() const { return peaks_; }
 
   Eigen::VectorXd toScaled(const Eigen::VectorXd& amplitudes) const { return amplitudes / scale_; }
   Eigen::VectorXd toAmplitudes(const Eigen::VectorXd& a) const { return scale_ * a; }
+  /// ½‖a‖² in the original units
+  double toCost(double scaled_cost) const { return scale_ * scale_ * scaled_cost; }
   /// Multiplier of the original constraint
   Eigen::MatrixXd toCertificate(const Eigen::MatrixXd& Z) const;
   Eigen::MatrixXd fromCertificate(const Eigen::MatrixXd& Z) const;  ///< and back
 
  private:
+  static std::size_t index(int a, int b) {
+    const int i = std::max(a, b), j = std::min(a, b);
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(i + 1) / 2 +
+           static_cast<std::size_t>(j);
+  }
+
   int p_;
   double scale_;
-  Eigen::MatrixXd C_, R_;
-  std::vector<Eigen::MatrixXd> S_;
+  Eigen::MatrixXd C_, R_, S_00_;
+  std::vector<Eigen::MatrixXd> S_, S_offset_;
+  std::vector<PeakConstraint> peaks_;
 };
 
 }  // namespace explore_opt

@@ -3,8 +3,8 @@
 
 #include "barrier_program.hpp"
 #include "design_tools.hpp"
-#include "dual_bound.hpp"
 #include "factor_program.hpp"
+#include "relaxation.hpp"
 #include "thesis_problem.hpp"
 
 using namespace explore_opt;
@@ -81,12 +81,19 @@ void checkDerivatives(SmoothProgram& program, const VectorXd& x, double weight,
   }
 }
 
+/// One limit on the norm of two numbers and one on a single one.
+std::vector<PeakConstraint> somePeaks(const DesignTask& task) {
+  const int p = task.response.numAmplitudes();
+  return {{0, -1, randomMatrix(91, 0, 2, p), randomMatrix(91, 1, 2, 1), 30.0},
+          {3, 0, randomMatrix(92, 0, 1, p), VectorXd::Zero(1), 40.0}};
+}
+
 /// A reference on the boundary and the scaled program around it.
 struct Scaled {
-  explicit Scaled(const ExplorationProblem& problem, std::uint64_t seed)
-      : task{predictResponse(problem), problem.gamma_w, problem.numInputs()},
+  Scaled(const ExplorationProblem& problem, std::uint64_t seed, bool peaks = true)
+      : task(taskOf(problem)),
         reference(task.onBoundary(randomDirection(task, seed, 0))),
-        program(task.response, task.gamma_w, reference) {}
+        program(task.response, task.gamma_w, reference, peaks ? somePeaks(task) : std::vector<PeakConstraint>()) {}
   DesignTask task;
   VectorXd reference;
   QuadraticProgram program;
@@ -99,7 +106,13 @@ std::vector<ExplorationProblem> problems() {
   ExplorationProblem two = thesisProblem(Phase::kBoth, 60);
   two.A = (MatrixXd(2, 2) << 0.8, 0.2, -0.1, 0.7).finished();
   two.B = MatrixXd::Identity(2, 2);
-  return {thesisProblem(Phase::kSin), thesisProblem(Phase::kCos), full, two};
+  ExplorationProblem start = thesisProblem(Phase::kCos);
+  start.x0 = Eigen::Vector2d(3.0, -1.0);
+  ExplorationProblem known = thesisProblem(Phase::kSin);
+  known.known = MatrixXd::Constant(2, 3, NAN);
+  known.known(0, 0) = known.known(1, 1) = 1.0;
+  known.known(1, 0) = 0.0;
+  return {thesisProblem(Phase::kSin), thesisProblem(Phase::kCos), full, two, start, known};
 }
 
 }  // namespace
@@ -122,7 +135,8 @@ TEST(QuadraticProgram, IsTheSameProblemInOtherCoordinates) {
                              .sum();
     EXPECT_NEAR(plain, hat * s.reference.squaredNorm(), 1e-9 * std::abs(plain));
     EXPECT_LT((s.program.fromCertificate(original) - Z).norm(), 1e-9 * Z.norm());
-    EXPECT_NEAR(scaled.dot(s.program.H(Z) * scaled), Z.cwiseProduct(s.program.N(scaled)).sum(),
+    if (s.program.homogeneous())
+      EXPECT_NEAR(scaled.dot(s.program.H(Z) * scaled), Z.cwiseProduct(s.program.N(scaled)).sum(),
                 1e-11 * Z.norm() * p);
     // The reference has unit cost, sits on the boundary, and its slack is diagonal.
     MatrixXd slack = s.program.N(s.program.toScaled(s.reference)) - s.program.rightSide();
@@ -156,7 +170,7 @@ TEST(FactorProgram, StartSatisfiesTheConstraints) {
     }
     const int n = s.program.size();
     const MatrixXd Z0 = randomMatrix(1, 1, n, n), Z = Z0 + Z0.transpose();
-    EXPECT_LT((program.certificateOf(program.multipliersOf(Z)) - Z).norm(), 1e-15 * Z.norm());
+    EXPECT_LT((program.certificateOf(program.multipliersOf(Z, VectorXd::Ones(2))) - Z).norm(), 1e-15 * Z.norm());
   }
 }
 
@@ -200,55 +214,78 @@ TEST(BarrierProgram, OutsideTheConeThereIsNoValue) {
   EXPECT_FALSE(program.hessian(outside, 1.0, VectorXd(), h));
 }
 
-TEST(DualBarrier, Derivatives) {
+TEST(Relaxation, BothProgramsMeet) {
+  int orders = 0;
   for (const ExplorationProblem& problem : problems()) {
-    const Scaled s(problem, 31);
-    const DualBarrier barrier(s.program);
-    const int n = s.program.size(), m = barrier.numVariables();
-    const double scale = 1.0 / (4.0 * s.program.H(MatrixXd::Identity(n, n)).norm());
-    VectorXd z = VectorXd::Zero(m);
-    for (int i = 0, k = 0; i < n; k += ++i) z(k + i) = scale;  // Z = scale I
-    z += 0.05 * scale * randomMatrix(1, 5, m, 1);
-    const double mu = 0.05;
-    VectorXd gradient;
-    MatrixXd root;
-    barrier.gradientAndRoot(barrier.matrix(z), mu, gradient, root);
-    const MatrixXd hessian = root.transpose() * root;
-    for (int i = 0; i < m; ++i) {
-      const double h = kStep * scale;  // Z is of that size
-      const MatrixXd plus = barrier.matrix(z + h * VectorXd::Unit(m, i)),
-                     minus = barrier.matrix(z - h * VectorXd::Unit(m, i));
-      double above = 0.0, below = 0.0;
-      ASSERT_TRUE(barrier.value(plus, mu, above) && barrier.value(minus, mu, below));
-      EXPECT_NEAR(gradient(i), (above - below) / (2 * h), kTolerance * gradient.norm());
-      VectorXd gradient_above, gradient_below;
-      MatrixXd ignored;
-      barrier.gradientAndRoot(plus, mu, gradient_above, ignored);
-      barrier.gradientAndRoot(minus, mu, gradient_below, ignored);
-      EXPECT_LT((hessian.col(i) - (gradient_above - gradient_below) / (2 * h)).norm(),
-                kTolerance * hessian.norm());
+    SCOPED_TRACE(orders++);
+    const Scaled s(problem, 41, false);
+    const int n = s.program.size(), p = s.program.numAmplitudes();
+    const LmiProgram dual = dualProgram(s.program), lifted = liftedProgram(s.program);
+    const LmiSolution below = solveLmi(dual, dualStart(s.program), 1e-9);
+    const LmiSolution above = solveLmi(
+        lifted, liftedStart(s.program, s.program.toScaled(s.reference)), 1e-9);
+    EXPECT_TRUE(below.converged);
+    EXPECT_TRUE(above.converged);
+    // Either value is that of a strictly feasible point, so they enclose the optimum.
+    const double low = dual.reward.dot(below.y), high = -lifted.reward.dot(above.y);
+    EXPECT_LE(low, high);
+    EXPECT_LE(high - low, 2.1e-9);
+    EXPECT_GT(explore_opt::testing::smallestEigenvalue(dual.blocks[0].at(below.y)), 0.0);
+    EXPECT_GT(explore_opt::testing::smallestEigenvalue(dual.blocks[1].at(below.y)), 0.0);
+
+    const RelaxedSolution relaxed =
+        solveRelaxed(s.program, s.program.toScaled(s.reference), 1e-9);
+    MatrixXd N = s.program.homogeneous() ? MatrixXd::Zero(n, n) : s.program.S_00();
+    for (int a = 0; a < p; ++a) {
+      if (!s.program.homogeneous()) N += 2.0 * relaxed.mean(a) * s.program.S_0(a);
+      for (int b = 0; b < p; ++b) N += relaxed.lifted(a, b) * s.program.S(a, b);
     }
+    // A multiplier is feasible up to the solver's residual, asked for to 1e-9.
+    EXPECT_GE(explore_opt::testing::smallestEigenvalue(N - s.program.rightSide()), -1e-8);
+    EXPECT_NEAR(0.5 * relaxed.lifted.trace(), high, 1e-8);
   }
 }
 
-TEST(DualSolution, PrimalAndDualMeet) {
-  for (const ExplorationProblem& problem : problems()) {
-    const Scaled s(problem, 41);
-    const DualSolution dual = solveDual(s.program, 1e-6);
-    const int n = s.program.size(), p = s.program.numAmplitudes();
-    EXPECT_GT(explore_opt::testing::smallestEigenvalue(dual.Z), 0.0);
-    const MatrixXd slack = MatrixXd::Identity(p, p) - 2.0 * s.program.H(dual.Z);
-    EXPECT_GT(explore_opt::testing::smallestEigenvalue(slack), 0.0);
-    // The lifted matrix satisfies Σ 𝒜_ab S_ab ⪰ R, and ½ tr 𝒜 - tr R Z = (n + p) μ. It is the
-    // inverse of a slack of size 1e-7 known to 1e-15, so it has eight digits.
-    MatrixXd lifted = MatrixXd::Zero(n, n);
-    for (int a = 0; a < p; ++a) {
-      for (int b = 0; b < p; ++b) lifted += dual.lifted(a, b) * s.program.S(a, b);
-    }
-    EXPECT_GE(explore_opt::testing::smallestEigenvalue(lifted - s.program.rightSide()),
-              -1e-8);  // eight digits of 1
-    const double gap = 0.5 * dual.lifted.trace() - s.program.rightSide().cwiseProduct(dual.Z).sum();
-    EXPECT_NEAR(gap, dual.gap, 1e-8 * p);
-    EXPECT_LE(dual.gap, 1.001e-6);
+TEST(Relaxation, ThePeakLimitHasItsShare) {  // u_max as one more row: the bound rises, and holds
+  const ExplorationProblem problem = thesisProblem(Phase::kCos);
+  DesignTask task = taskOf(problem);
+  const VectorXd start = task.onBoundary(VectorXd::Ones(4));
+  PeakConstraint first;  // at k = 0 all cosines are 1
+  first.rows = MatrixXd::Ones(1, 4);
+  first.offset = VectorXd::Zero(1);
+  first.limit = 4.5;
+  task.peaks = {first};
+  const QuadraticProgram program(task.response, task.gamma_w, start, task.peaks);
+  const RelaxedSolution relaxed = solveRelaxed(program, program.toScaled(start), 1e-9);
+  ASSERT_TRUE(relaxed.converged);
+  EXPECT_GT(relaxed.nu(0), 1e-3);  // 5.7 without it
+  const Certificate bound = task.certify(program.toCertificate(relaxed.Z),
+                                         program.toCost(1.0) * relaxed.nu);
+  EXPECT_GT(bound.bound, 3.3194);
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    const VectorXd a = task.onBoundary(randomDirection(task, 7, seed));
+    if (first.room(a) >= 0.0) EXPECT_GE(a.norm(), bound.bound) << seed;
   }
+}
+
+TEST(LmiSolver, SmallestEigenvalue) {  // max t s.t. M - t I ⪰ 0
+  const MatrixXd m = randomMatrix(3, 9, 7, 7), M = m + m.transpose();
+  LmiProgram program;
+  program.reward = VectorXd::Ones(1);
+  program.blocks.push_back({M, 0, 1, {-MatrixXd::Identity(7, 7)}});
+  const LmiSolution solution =
+      solveLmi(program, VectorXd::Constant(1, -2.0 * M.norm()), 1e-10);
+  EXPECT_TRUE(solution.converged);
+  EXPECT_NEAR(solution.y(0), explore_opt::testing::smallestEigenvalue(M), 1e-9);
+  EXPECT_NEAR(solution.multipliers[0].trace(), 1.0, 1e-9);
+}
+
+TEST(LmiSolver, StopsWhereThereIsNoMaximum) {  // max t s.t. I + t I ⪰ 0
+  LmiProgram program;
+  program.reward = VectorXd::Ones(1);
+  program.blocks.push_back(
+      {MatrixXd::Identity(2, 2), 0, 1, {MatrixXd::Identity(2, 2)}});
+  const LmiSolution solution = solveLmi(program, VectorXd::Zero(1), 1e-9, 50.0);
+  EXPECT_FALSE(solution.converged);
+  EXPECT_GT(solution.y(0), 50.0);
 }

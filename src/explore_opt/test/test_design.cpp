@@ -363,7 +363,8 @@ TEST(Validation, NamesWhatIsWrong) {
               p.D_des(0, 1) = 0.1;
             }),
             "");
-  EXPECT_NE(message([](ExplorationProblem& p) { p.x0 = Eigen::Vector2d(1, 0); }), "");
+  EXPECT_EQ(message([](ExplorationProblem& p) { p.x0 = Eigen::VectorXd::Ones(3); }),
+            "x0 is 3 x 1; must be 2 x 1");
   EXPECT_EQ(message([](ExplorationProblem& p) { p.x0 = Eigen::Vector2d(0, 0); }), "");
   EXPECT_EQ(message([](ExplorationProblem& p) { p.K = MatrixXd::Zero(2, 2); }),
             "K is 2 x 2; must be 1 x 2");

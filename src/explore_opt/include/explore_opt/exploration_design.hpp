@@ -69,14 +69,22 @@ struct DesignIteration {
   Eigen::MatrixXd amplitudes;  ///< carriers x n_u
 };
 
+/// Multiplier of ½(‖u_k‖² - u_max²) (input -1), or of one input's ½(u_kj² - u_max,j²).
+struct PeakMultiplier {
+  int sample = 0;
+  int input = -1;
+  double value = 0.0;
+};
+
 struct DesignResult {
   DesignStatus status = DesignStatus::kNumericalError;
   DesignMethod method = DesignMethod::kGlobal;
   /// One line: why this status
   std::string message;
-  /// α*, carriers x n_u; both phases: cosines, then sines. The largest |entry| is positive
+  /// α*, carriers x n_u; both phases: cosines, then sines; several experiments one below the other.
+  /// From rest the largest |entry| is positive
   Eigen::MatrixXd amplitudes;
-  /// ‖α*‖
+  /// ‖α*‖, or what ExplorationProblem::cost and ::experiments say
   double gamma_e = std::numeric_limits<double>::quiet_NaN();
   /// No amplitudes with smaller norm satisfy the constraint
   double lower_bound = 0.0;
@@ -84,8 +92,21 @@ struct DesignResult {
   double gap = std::numeric_limits<double>::quiet_NaN();
   /// λ_min(N(α*))/γ_w, recomputed; feasible if >= 1
   double lambda_min = std::numeric_limits<double>::quiet_NaN();
-  /// Z ⪰ 0, n x n: lower_bound = sqrt(γ_w tr Z/λ_max(H(Z)))
+  /// Z ⪰ 0, n x n. From rest, D_des ≻ 0, cost on the signal and no u_max:
+  /// lower_bound = sqrt(γ_w tr Z/λ_max(H(Z)))
   Eigen::MatrixXd certificate;
+  /// The same in the raw coordinates, M = E W Z W Eᵀ, for every problem: no amplitudes cost less
+  /// than lower_bound, because ½ lower_bound² is the least value over a of
+  /// ½γ_e(a)² - tr M (Q(a)[⊗ I] - γ_w D_des) + Σ ½ν_k (‖u_k(a)‖² - u_max²).
+  /// Size n_φ (D ⊗ I, nothing known) or n_φ n_x.
+  Eigen::MatrixXd multiplier;
+  /// ν_k > 0
+  std::vector<PeakMultiplier> peak_multipliers;
+  /// Rank of the relaxation's solution 𝒜 (eigenvalues above 1e-4 of the largest); 1: the bound is
+  /// met by one experiment. 0: not computed
+  int relaxation_rank = 0;
+  /// With u_max: the largest of the predicted ‖u_k‖/u_max (or |u_kj|/u_max,j); at most 1
+  double peak = std::numeric_limits<double>::quiet_NaN();
   std::vector<DesignIteration> iterations;
   /// mm: n μ of the last relaxation
   double inner_gap = 0.0;
@@ -101,8 +122,8 @@ struct DesignResult {
 DesignResult designExploration(const ExplorationProblem& problem,
                                const DesignOptions& options = {});
 
-/// The bound any Z ⪰ 0, Z ≠ 0 gives: γ_e >= sqrt(γ_w tr Z / λ_max(H(Z))). One eigenvalue of a p x p
-/// matrix.
+/// The bound any Z ⪰ 0, Z ≠ 0 gives: γ_e >= sqrt(γ_w tr Z / λ_max(H(Z))), one eigenvalue of a p x p
+/// matrix; from x_0 ≠ 0 the best scaling of Z. Not with u_max: @throws quad_support::DataError.
 double lowerBound(const ExplorationProblem& problem, const Eigen::MatrixXd& certificate);
 
 /// Cost of a direction after scaling it to the boundary: sqrt(γ_w ‖d‖²/λ_min(N(d))).

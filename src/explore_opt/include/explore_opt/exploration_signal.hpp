@@ -37,6 +37,12 @@ void validate(const SpectralLines& lines);
 /// Number of carriers: lines, or twice as many with both phases.
 int numCarriers(const SpectralLines& lines, Phase phase);
 
+/// cos and sin of 2π f_i k; of a harmonic from the whole number h k mod T.
+struct CarrierValue {
+  double cosine, sine;
+};
+CarrierValue carrierAt(const SpectralLines& lines, int line, int k);
+
 /// The carriers at k = 0 ... T-1, numCarriers x T: s(2π f_i k), with both phases first all cosines,
 /// then all sines. The phase of a harmonic is taken from the whole number h k mod T, so it is as
 /// exact at the end as at the start.

@@ -1,0 +1,22 @@
+/// The design problem itself, not a relaxation, by a log-det barrier: the local solver for conditions
+/// too large for the factor program.
+#pragma once
+
+#include "quadratic_program.hpp"
+
+namespace explore_opt {
+
+struct BarrierPoint {
+  Eigen::VectorXd a;   ///< strictly feasible; empty if the start is not
+  Eigen::MatrixXd Z;   ///< μ S(a)⁻¹, S(a) = N(a) - R
+  Eigen::VectorXd nu;  ///< one a peak limit
+};
+
+/// Follows the minimisers of  ½‖a‖² - μ log det S(a) - ½ μ Σ log room_k(a)  down to n μ = `gap` of
+/// ½‖a‖², from a strictly feasible start of norm about one. Only p unknowns, whatever n: Newton's
+/// steps with the moduli of the Hessian's eigenvalues, for it is indefinite
+/// (I + μ tr(W S_i W S_j) - 2 μ H(W), math.md 4), and Armijo's rule.
+BarrierPoint descendBarrier(const QuadraticProgram& program, const Eigen::VectorXd& start,
+                            double gap);
+
+}  // namespace explore_opt

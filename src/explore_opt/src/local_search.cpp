@@ -1,0 +1,100 @@
+#include "local_search.hpp"
+
+#include <cmath>
+
+#include "barrier_descent.hpp"
+#include "factor_program.hpp"
+#include "quad_support/linear_algebra.hpp"
+
+namespace explore_opt {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kKktTolerance = 1e-6;
+
+/// On the boundary, or as it stands where peaks forbid scaling; empty if it is not feasible.
+VectorXd pulledBack(const DesignTask& task, const VectorXd& a) {
+  if (!a.allFinite() || !(a.norm() > 0.0) || !std::isfinite(task.cost(a))) return {};
+  const VectorXd b = task.onBoundary(a);
+  for (const PeakConstraint& peak : task.peaks) {
+    if (b.size() == 0 || peak.room(b) < -1e-6) return {};
+  }
+  return b;
+}
+
+/// By the barrier: its last centre is within 1e-9 of a local minimum's cost.
+LocalSolution descend(const DesignTask& task, const QuadraticProgram& scaled, const VectorXd& start,
+                      double margin, LocalSolution solution) {
+  const BarrierPoint point =
+      descendBarrier(scaled, (1.0 + std::max(margin, 1e-2)) * scaled.toScaled(start), 1e-9);
+  if (point.a.size() == 0) return solution;
+  const VectorXd a = pulledBack(task, scaled.toAmplitudes(point.a));
+  if (a.size() == 0 || (solution.amplitudes.size() > 0 && a.norm() > solution.amplitudes.norm()))
+    return solution;
+  solution.amplitudes = a;
+  solution.Z = scaled.toCertificate(point.Z);
+  solution.nu = scaled.toCost(1.0) * point.nu;
+  solution.optimal = satisfiesKkt(task, solution);
+  solution.status = solution.optimal ? SolverStatus::kConverged : SolverStatus::kStalled;
+  return solution;
+}
+
+}  // namespace
+
+bool satisfiesKkt(const DesignTask& task, const LocalSolution& solution) {
+  const VectorXd& a = solution.amplitudes;
+  const MatrixXd& Z = solution.Z;
+  VectorXd slope =
+      a - 2.0 * task.response.gramOf(Z) * a - 2.0 * task.response.gramWithOffset(Z);
+  double slack = Z.cwiseProduct(task.response.information(a)).sum() - task.gamma_w * Z.trace();
+  for (Index k = 0; k < solution.nu.size(); ++k) {
+    const PeakConstraint& peak = task.peaks[static_cast<std::size_t>(k)];
+    slope += solution.nu(k) / (peak.limit * peak.limit) * peak.rows.transpose() *
+             (peak.rows * a + peak.offset);
+    slack += std::abs(solution.nu(k) * peak.room(a));
+  }
+  const double least = quad_support::symmetricEigenvalues(Z)(0);
+  return slope.norm() <= kKktTolerance * a.norm() &&
+         least >= -kKktTolerance * std::abs(Z.trace()) &&
+         (solution.nu.size() == 0 ||
+          solution.nu.minCoeff() >= -kKktTolerance * solution.nu.cwiseAbs().maxCoeff()) &&
+         std::abs(slack) <= kKktTolerance * a.squaredNorm();
+}
+
+LocalSolution polish(const DesignTask& task, IpoptSolver& solver, const VectorXd& start,
+                     double margin, const Certificate* multiplier) {
+  const QuadraticProgram scaled(task.response, task.gamma_w, start, task.peaks);
+  LocalSolution solution;
+  solution.Z = MatrixXd::Zero(scaled.size(), scaled.size());
+  solution.nu = VectorXd::Zero(static_cast<Index>(task.peaks.size()));
+  solution.amplitudes = pulledBack(task, start);
+  if (scaled.size() > kLargestFactorProgram)
+    return descend(task, scaled, start, margin, std::move(solution));
+  FactorProgram program(scaled);
+  SolverStart from;
+  from.x = program.startAt((1.0 + margin) * scaled.toScaled(start));
+  const double square = scaled.toCost(1.0);
+  if (multiplier != nullptr && multiplier->nu.size() == solution.nu.size()) {
+    from.multipliers = program.multipliersOf(scaled.fromCertificate(multiplier->Z),
+                                             multiplier->nu / square);
+  }
+  const SolverAnswer answer = solver.solve(program, from);
+  solution.status = answer.status;
+  if (answer.status == SolverStatus::kFailed) return solution;
+  const VectorXd a = pulledBack(task, scaled.toAmplitudes(program.amplitudesOf(answer.x)));
+  if (a.size() == 0) return solution;
+  // A solver that gave up may have wandered off to something dearer than where it began.
+  if (solution.amplitudes.size() > 0 && answer.status != SolverStatus::kConverged &&
+      a.norm() > solution.amplitudes.norm())
+    return solution;
+  solution.amplitudes = a;
+  solution.Z = scaled.toCertificate(program.certificateOf(answer.multipliers));
+  solution.nu = square * program.peakMultipliersOf(answer.multipliers);
+  solution.optimal = satisfiesKkt(task, solution);
+  return solution;
+}
+
+}  // namespace explore_opt

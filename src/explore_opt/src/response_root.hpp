@@ -1,0 +1,23 @@
+/// The responses of the nominal system with the time taken out.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "explore_opt/exploration_problem.hpp"
+
+namespace explore_opt {
+
+/// Matrices with Φ_a Φ_bᵀ = blocks[a]ᵀ blocks[b], r x n_φ each, for the responses Φ_a, n_φ x T, to
+/// unit amplitude of each component and, if x_0 is not zero, to x_0 alone (the last one).
+struct ResponseRoot {
+  std::vector<Eigen::MatrixXd> blocks;
+};
+
+/// Doubles the horizon by R_2t = triangle of [R_t; R_t (Fᵗ)ᵀ], F the generator of states and
+/// carriers: O(log T), and no digits are lost to forming Gram matrices (math.md 2.3). The rank is at
+/// most n_x + 2 L, and so is r.
+/// @throws ResponseOverflow if A (or A + B K) grows beyond what doubles resolve in T samples
+ResponseRoot responseRoot(const ExplorationProblem& problem);
+
+}  // namespace explore_opt
