@@ -25,8 +25,7 @@ class Barrier {
   double value(const VectorXd& a) const {
     const Eigen::LLT<MatrixXd> llt(program_.N(a) - program_.rightSide());
     if (llt.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
-    double f = 0.5 * a.squaredNorm() -
-               2.0 * mu_ * llt.matrixLLT().diagonal().array().log().sum();
+    double f = 0.5 * a.squaredNorm() - 2.0 * mu_ * llt.matrixLLT().diagonal().array().log().sum();
     for (const PeakConstraint& peak : program_.peaks()) {
       const double room = peak.room(a);
       if (!(room > 0.0)) return std::numeric_limits<double>::infinity();
@@ -62,24 +61,31 @@ class Barrier {
   VectorXd minimiser(VectorXd a) const {
     double f = value(a);
     for (int i = 0; i < kStepsALevel && std::isfinite(f); ++i) {
-      VectorXd gradient;
-      MatrixXd hessian;
-      derivatives(a, gradient, hessian);
-      const quad_support::SymmetricEigen eigen(hessian);
-      const VectorXd curvature =
-          eigen.values.cwiseAbs().cwiseMax(1e-8 * eigen.values.cwiseAbs().maxCoeff());
-      const VectorXd step =
-          -eigen.vectors * (eigen.vectors.transpose() * gradient).cwiseQuotient(curvature);
-      const double slope = gradient.dot(step);
-      if (!step.allFinite() || !(slope < -1e-4 * mu_)) break;
-      double t = 1.0, next = value(a + step);
-      while (!(next <= f + 1e-3 * t * slope) && t > 1e-8) {
+      const Step newton = stepFrom(a);
+      if (!newton.direction.allFinite() || !(newton.slope < -1e-4 * mu_)) break;
+      double t = 1.0, next = value(a + newton.direction);
+      while (!(next <= f + 1e-3 * t * newton.slope) && t > 1e-8) {
         t *= 0.5;
-        next = value(a + t * step);
+        next = value(a + t * newton.direction);
       }
       if (!(next < f)) break;
-      a += t * step;
+      a += t * newton.direction;
       f = next;
+    }
+    return a;
+  }
+
+  /// Where the values no longer tell points apart: whole steps while the slope shrinks. It enters
+  /// the multiplier's stationarity over the root of the curvature, about 1/μ.
+  VectorXd sharpened(VectorXd a) const {
+    Step newton = stepFrom(a);
+    for (int i = 0; i < 8 && newton.direction.allFinite(); ++i) {
+      const VectorXd b = a + newton.direction;
+      if (!std::isfinite(value(b))) break;
+      const Step next = stepFrom(b);
+      if (!(-next.slope < -0.25 * newton.slope)) break;
+      a = b;
+      newton = next;
     }
     return a;
   }
@@ -96,6 +102,23 @@ class Barrier {
   }
 
  private:
+  struct Step {
+    VectorXd direction;
+    double slope;  ///< -(Newton's decrement)²
+  };
+
+  Step stepFrom(const VectorXd& a) const {
+    VectorXd gradient;
+    MatrixXd hessian;
+    derivatives(a, gradient, hessian);
+    const quad_support::SymmetricEigen eigen(hessian);
+    const VectorXd sizes = eigen.values.cwiseAbs();
+    const VectorXd curvature = sizes.cwiseMax(1e-12 * sizes.maxCoeff());
+    const VectorXd direction =
+        -eigen.vectors * (eigen.vectors.transpose() * gradient).cwiseQuotient(curvature);
+    return {direction, gradient.dot(direction)};
+  }
+
   const QuadraticProgram& program_;
   double mu_;
 };
@@ -112,6 +135,7 @@ BarrierPoint descendBarrier(const QuadraticProgram& program, const VectorXd& sta
   for (;;) {
     const Barrier barrier(program, mu);
     point.a = barrier.minimiser(point.a);
+    if (mu <= last) point.a = barrier.sharpened(point.a);
     point.Z = barrier.multiplier(point.a);
     point.nu = barrier.peakMultipliers(point.a);
     if (mu <= last) return point;

@@ -1,5 +1,5 @@
-/// The design problem itself, not a relaxation, by a log-det barrier: the local solver for conditions
-/// too large for the factor program.
+/// The design problem itself, not a relaxation, by a log-det barrier: the local solver for
+/// conditions too large for the factor program.
 #pragma once
 
 #include "quadratic_program.hpp"

@@ -8,8 +8,8 @@ namespace explore_opt {
 
 /// min ½‖a‖² - μ log det S(a),  S(a) = F_0 + Σ a_i F_i = lin(a; ã) - R: the constraint N(a) ⪰ R
 /// with N replaced by its lower bound from M Mᵀ ⪰ M Lᵀ + L Mᵀ - L Lᵀ, L = M(ã); F_i = ∂N/∂a_i(ã),
-/// F_0 = N(ã) - Σ ã_i F_i - R (= -N(ã) - R from rest). Cholesky decides the domain. At its minimiser Z = μ S⁻¹ is dual feasible and
-/// the duality gap of ½‖a‖² is n μ.
+/// F_0 = N(ã) - Σ ã_i F_i - R (= -N(ã) - R from rest). Cholesky decides the domain. At its
+/// minimiser Z = μ S⁻¹ is dual feasible and the duality gap of ½‖a‖² is n μ.
 class BarrierProgram : public SmoothProgram {
  public:
   BarrierProgram(const QuadraticProgram& program, const Eigen::VectorXd& candidate);

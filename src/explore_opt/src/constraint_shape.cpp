@@ -79,21 +79,21 @@ void ConstraintShape::add(const MatrixXd& D, double largest) {
   const quad_support::SymmetricEigen eigen(D);
   const VectorXd floored =
       (eigen.values.array() > kSingular * largest).select(eigen.values, kFloor * largest);
-  const MatrixXd root = eigen.vectors * floored.cwiseSqrt().cwiseInverse().asDiagonal() *
-                        eigen.vectors.transpose();
+  const MatrixXd root =
+      eigen.vectors * floored.cwiseSqrt().cwiseInverse().asDiagonal() * eigen.vectors.transpose();
   const VectorXd kept = (eigen.values.array() > kSingular * largest)
                             .select(VectorXd::Ones(D.rows()), VectorXd::Zero(D.rows()));
   root_ = grown(root_, 0.5 * (root + root.transpose()));
-  required_ = grown(required_, kept.minCoeff() > 0.0
-                                   ? MatrixXd(MatrixXd::Identity(D.rows(), D.rows()))
-                                   : MatrixXd(eigen.vectors * kept.asDiagonal() *
-                                              eigen.vectors.transpose()));
+  required_ = grown(required_,
+                    kept.minCoeff() > 0.0
+                        ? MatrixXd(MatrixXd::Identity(D.rows(), D.rows()))
+                        : MatrixXd(eigen.vectors * kept.asDiagonal() * eigen.vectors.transpose()));
 }
 
 MatrixXd ConstraintShape::factor(const MatrixXd& regressors) const {
   if (full_) {
-    const MatrixXd all = Eigen::kroneckerProduct(
-        regressors, MatrixXd::Identity(num_states_, num_states_));
+    const MatrixXd all =
+        Eigen::kroneckerProduct(regressors, MatrixXd::Identity(num_states_, num_states_));
     return all(Eigen::all, entries_) * root_;
   }
   if (!known_) return regressors * root_;

@@ -86,7 +86,8 @@ VectorXd leading(const DesignTask& task, const Relaxed& relaxed) {
 VectorXd roundLifted(const DesignTask& task, const Relaxed& relaxed, const VectorXd& fallback,
                      std::uint64_t seed) {
   VectorXd best = fallback;
-  double least = fallback.size() > 0 ? task.cost(fallback) : std::numeric_limits<double>::infinity();
+  double least =
+      fallback.size() > 0 ? task.cost(fallback) : std::numeric_limits<double>::infinity();
   for (int i = 0; i <= kRoundings; ++i) {
     const VectorXd direction =
         i == 0 ? leading(task, relaxed)
@@ -171,7 +172,8 @@ void searchOn(Search& search, const DesignTask& task, const Relaxed* relaxed,
 std::string advice(const RawDesign& design, const DesignTask& task) {
   if (design.rank <= task.runs) return "";
   return fmt::format(
-      "; the relaxation has rank {}, so one experiment may not reach the bound: \"experiments\": {} "
+      "; the relaxation has rank {}, so one experiment may not reach the bound: \"experiments\": "
+      "{} "
       "meets it as root mean square per run",
       design.rank, design.rank);
 }
@@ -224,8 +226,7 @@ RawDesign designFreely(const ExplorationProblem& problem, const DesignTask& sing
     search.improveCertificate(relaxed->certificate);
   }
   const VectorXd fallback = start->replicate(task.runs, 1) / std::sqrt(double(task.runs));
-  const VectorXd first =
-      relaxed ? roundLifted(task, *relaxed, fallback, options.seed) : fallback;
+  const VectorXd first = relaxed ? roundLifted(task, *relaxed, fallback, options.seed) : fallback;
   search.start(first);
   IpoptSolver solver(kSolverTolerance, kSolverIterations);
   const double margin = search.gap() < 1e-4 ? 1e-6 : 0.2;
@@ -303,8 +304,8 @@ RawDesign designGlobal(const ExplorationProblem& problem, const DesignTask& sing
   }
   design.amplitudes.resize(0);
   design.status = DesignStatus::kIterationLimit;
-  design.message = fmt::format("u_max is exceeded between the {} instants considered so far",
-                               task.peaks.size());
+  design.message =
+      fmt::format("u_max is exceeded between the {} instants considered so far", task.peaks.size());
   return design;
 }
 

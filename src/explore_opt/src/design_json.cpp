@@ -18,8 +18,8 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using quad_support::ConfigError;
 
-const std::set<std::string> kKeys = {"A",     "B",    "T",     "harmonics",  "frequencies",
-                                     "phase", "cost", "K",     "gamma_w",    "D_des",
+const std::set<std::string> kKeys = {"A",     "B",     "T",     "harmonics",  "frequencies",
+                                     "phase", "cost",  "K",     "gamma_w",    "D_des",
                                      "x0",    "u_max", "known", "experiments"};
 
 /// Reads the values of one problem; every complaint names source and key.
@@ -174,8 +174,7 @@ ExplorationProblem problemFromJson(const std::string& text, const std::string& s
   if (in.has("K")) problem.K = in.matrix("K");
   if (in.has("known")) problem.known = in.matrixWithGaps("known");
   if (in.has("u_max")) problem.u_max = in.vector("u_max");
-  if (in.has("experiments"))
-    problem.experiments = in.integer(in.at("experiments"), "experiments");
+  if (in.has("experiments")) problem.experiments = in.integer(in.at("experiments"), "experiments");
   try {
     problem.phase = phaseFromString(in.text("phase"));
     if (in.has("cost")) problem.cost = costFromString(in.text("cost"));

@@ -24,7 +24,8 @@ AmplitudeMap inputEnergyMap(const ExplorationProblem& problem, const ResponseRoo
     inputs.col(static_cast<Index>(a)).head(rows * nu) = u.reshaped();
   }
   inputs *= std::sqrt(2.0 / problem.lines.num_samples);
-  const MatrixXd R = Eigen::HouseholderQR<MatrixXd>(inputs).matrixQR().triangularView<Eigen::Upper>();
+  const MatrixXd R =
+      Eigen::HouseholderQR<MatrixXd>(inputs).matrixQR().triangularView<Eigen::Upper>();
   const MatrixXd energy = R.topLeftCorner(p, p);
   const VectorXd sigma = quad_support::singularValues(energy);
   require(sigma(p - 1) > 1e-7 * sigma(0),
@@ -108,8 +109,7 @@ DesignTask taskOf(const ExplorationProblem& problem) {
   task.gamma_w = problem.gamma_w;
   task.num_inputs = problem.numInputs();
   if (!shape.required().isIdentity(0.0)) task.required = shape.required();
-  if (problem.cost == CostOn::kInput)
-    task.map = inputEnergyMap(problem, responseRoot(problem));
+  if (problem.cost == CostOn::kInput) task.map = inputEnergyMap(problem, responseRoot(problem));
   task.response = mapped(response, task.map);
   return task;
 }
@@ -140,7 +140,8 @@ std::string reasonNothingExcites(const ExplorationProblem& problem, const Design
         L, rank, task.response.size());
   }
   return fmt::format(
-      "no amplitudes of these {} lines excite all {} directions at once; add lines, use both phases, "
+      "no amplitudes of these {} lines excite all {} directions at once; add lines, use both "
+      "phases, "
       "or a longer T",
       L, task.response.size());
 }

@@ -165,9 +165,8 @@ Certificate DesignTask::certify(const MatrixXd& Z, const VectorXd& nu) const {
   certificate.Z = 0.5 * (certificate.Z + certificate.Z.transpose()).eval();
   certificate.nu = nu.cwiseMax(0.0);
   const Certificate nothing{MatrixXd::Zero(Z.rows(), Z.cols()), 0.0, 0.0 * nu};
-  const double reward =
-      gamma_w * (required.size() > 0 ? required.cwiseProduct(certificate.Z).sum()
-                                     : certificate.Z.trace());
+  const double reward = gamma_w * (required.size() > 0 ? required.cwiseProduct(certificate.Z).sum()
+                                                       : certificate.Z.trace());
   if (response.homogeneous() && nu.size() == 0) {
     const double largest = largestEigenvalue(response, certificate.Z);
     const double square = reward / largest;

@@ -59,8 +59,9 @@ struct DesignTask {
   Eigen::VectorXd onBoundary(const Eigen::VectorXd& direction) const;
   /// γ_e of a point.
   double costAt(const Eigen::VectorXd& b) const { return std::sqrt(b.squaredNorm() + map.floor); }
-  /// No point of lower cost satisfies the constraints: the least value over a of the Lagrangian with
-  /// the positive parts of Z and ν, scaled as well as possible, less what rounding may have added.
+  /// No point of lower cost satisfies the constraints: the least value over a of the Lagrangian
+  /// with the positive parts of Z and ν, scaled as well as possible, less what rounding may have
+  /// added.
   Certificate certify(const Eigen::MatrixXd& Z, const Eigen::VectorXd& nu = {}) const;
   /// Amplitudes of a point as carriers x n_u; several runs one below the other.
   Eigen::MatrixXd table(const Eigen::VectorXd& b) const;

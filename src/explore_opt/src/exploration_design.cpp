@@ -78,8 +78,7 @@ void fill(const ExplorationProblem& problem, const DesignTask& single, const Raw
   }
   result.amplitudes = amplitudes;
   result.gamma_e = task.costAt(raw.amplitudes);
-  result.gap =
-      result.gamma_e > 0.0 ? (result.gamma_e - result.lower_bound) / result.gamma_e : 0.0;
+  result.gap = result.gamma_e > 0.0 ? (result.gamma_e - result.lower_bound) / result.gamma_e : 0.0;
   result.lambda_min = lambda_min;
 }
 

@@ -61,7 +61,8 @@ void requireNotMirrored(const std::vector<T>& values, T whole, const char* name)
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!(2 * values[i] > whole)) continue;
     for (const T other : values) {
-      require(other != whole - values[i], "{0}[{1}] = {2}, but {2} is {3} mirrored, the same line; leave it out", name, i,
+      require(other != whole - values[i],
+              "{0}[{1}] = {2}, but {2} is {3} mirrored, the same line; leave it out", name, i,
               values[i], other);
     }
   }

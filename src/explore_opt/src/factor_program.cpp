@@ -99,8 +99,7 @@ Positions FactorProgram::hessianPositions() const {
       for (int k = j; k <= i; ++k) positions.emplace_back(p_ + at(i, j), p_ + at(k, j));
     }
   }
-  for (int k = 0; k < peaks_; ++k)
-    positions.emplace_back(p_ + triangle_ + k, p_ + triangle_ + k);
+  for (int k = 0; k < peaks_; ++k) positions.emplace_back(p_ + triangle_ + k, p_ + triangle_ + k);
   return positions;
 }
 

@@ -14,8 +14,9 @@ using Eigen::VectorXd;
 constexpr double kShrink = 1e-3;  // of the barrier weight; smaller ones make Newton's steps crawl
 constexpr double kMargin = 1e-3;  // start of a relaxation outside the boundary
 
-/// A little outside the boundary the relaxation is strictly feasible: surely from rest, where N grows
-/// with the square; with x_0 for some margin, unless ã is a point the boundary touches from outside.
+/// A little outside the boundary the relaxation is strictly feasible: surely from rest, where N
+/// grows with the square; with x_0 for some margin, unless ã is a point the boundary touches from
+/// outside.
 double marginOf(const BarrierProgram& relaxation, const VectorXd& candidate) {
   for (const double margin : {kMargin, 1e-4, 1e-5, 1e-2, 1e-6}) {
     const Eigen::LLT<MatrixXd> llt(relaxation.slack((1.0 + margin) * candidate));

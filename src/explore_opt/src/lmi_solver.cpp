@@ -184,8 +184,7 @@ class Point {
 };
 
 double trace(const LmiBlock& block, int k, const MatrixXd& X) {
-  if (!block.slopes.empty())
-    return block.slopes[static_cast<std::size_t>(k)].cwiseProduct(X).sum();
+  if (!block.slopes.empty()) return block.slopes[static_cast<std::size_t>(k)].cwiseProduct(X).sum();
   Index i = 0;
   while (triangle(i + 1) <= k) ++i;
   const Index j = k - triangle(i);

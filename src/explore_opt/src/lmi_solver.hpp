@@ -30,8 +30,8 @@ struct LmiProgram {
 };
 
 struct LmiSolution {
-  Eigen::VectorXd y;                         ///< strictly feasible
-  std::vector<Eigen::MatrixXd> multipliers;  ///< X_j ≻ 0, one a block
+  Eigen::VectorXd y;                                     ///< strictly feasible
+  std::vector<Eigen::MatrixXd> multipliers;              ///< X_j ≻ 0, one a block
   double gap = std::numeric_limits<double>::infinity();  ///< Σ tr(X_j S_j)
   /// |b_k + Σ_j tr(A_jk X_j)|, the largest
   double residual = std::numeric_limits<double>::infinity();

@@ -47,8 +47,7 @@ LocalSolution descend(const DesignTask& task, const QuadraticProgram& scaled, co
 bool satisfiesKkt(const DesignTask& task, const LocalSolution& solution) {
   const VectorXd& a = solution.amplitudes;
   const MatrixXd& Z = solution.Z;
-  VectorXd slope =
-      a - 2.0 * task.response.gramOf(Z) * a - 2.0 * task.response.gramWithOffset(Z);
+  VectorXd slope = a - 2.0 * task.response.gramOf(Z) * a - 2.0 * task.response.gramWithOffset(Z);
   double slack = Z.cwiseProduct(task.response.information(a)).sum() - task.gamma_w * Z.trace();
   for (Index k = 0; k < solution.nu.size(); ++k) {
     const PeakConstraint& peak = task.peaks[static_cast<std::size_t>(k)];
@@ -78,8 +77,8 @@ LocalSolution polish(const DesignTask& task, IpoptSolver& solver, const VectorXd
   from.x = program.startAt((1.0 + margin) * scaled.toScaled(start));
   const double square = scaled.toCost(1.0);
   if (multiplier != nullptr && multiplier->nu.size() == solution.nu.size()) {
-    from.multipliers = program.multipliersOf(scaled.fromCertificate(multiplier->Z),
-                                             multiplier->nu / square);
+    from.multipliers =
+        program.multipliersOf(scaled.fromCertificate(multiplier->Z), multiplier->nu / square);
   }
   const SolverAnswer answer = solver.solve(program, from);
   solution.status = answer.status;

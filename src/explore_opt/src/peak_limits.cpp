@@ -70,8 +70,8 @@ std::vector<PeakConstraint> bindingPeaks(const ExplorationProblem& problem, cons
   for (Index j = 0; j < ratio.rows(); ++j) {
     for (Index k = 0; k < ratio.cols(); ++k) {
       const double now = ratio(j, k);
-      const bool local = (k == 0 || ratio(j, k - 1) <= now) &&
-                         (k + 1 == ratio.cols() || ratio(j, k + 1) < now);
+      const bool local =
+          (k == 0 || ratio(j, k - 1) <= now) && (k + 1 == ratio.cols() || ratio(j, k + 1) < now);
       if (!local || now < 1.0 - margin) continue;
       const int input = norm ? -1 : static_cast<int>(j);
       const bool there = std::any_of(task.peaks.begin(), task.peaks.end(), [&](const auto& p) {

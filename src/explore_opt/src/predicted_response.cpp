@@ -29,8 +29,8 @@ MatrixXd simulate(const ExplorationProblem& problem, const MatrixXd& signal, Vec
 }  // namespace
 
 MatrixXd PredictedResponse::factor(const VectorXd& a) const {
-  MatrixXd sum = homogeneous() ? MatrixXd::Zero(factors.front().rows(), factors.front().cols())
-                               : offset;
+  MatrixXd sum =
+      homogeneous() ? MatrixXd::Zero(factors.front().rows(), factors.front().cols()) : offset;
   for (int i = 0; i < numAmplitudes(); ++i) sum += a(i) * factors[static_cast<std::size_t>(i)];
   return sum;
 }

@@ -26,14 +26,13 @@ struct PeakConstraint {
 /// matrices). N(a) = S_00 + 2 Σ a_i S_0i + Σ a_i a_j S_ij; S_00 and S_0i only if x_0 is not zero.
 ///
 /// C makes N̂ of the reference amplitudes ã the identity (integrators and unstable modes spread it
-/// over many decades) and turns R̂ diagonal, smallest entry first, so that the direction in which the
-/// constraint is active comes last.
+/// over many decades) and turns R̂ diagonal, smallest entry first, so that the direction in which
+/// the constraint is active comes last.
 class QuadraticProgram {
  public:
   /// @param reference  ã with N(ã) ≻ 0, scaled to the boundary λ_min(N(ã)) = γ_w
   QuadraticProgram(const PredictedResponse& response, double gamma_w,
-                   const Eigen::VectorXd& reference,
-                   const std::vector<PeakConstraint>& peaks = {});
+                   const Eigen::VectorXd& reference, const std::vector<PeakConstraint>& peaks = {});
 
   int numAmplitudes() const { return p_; }
   int size() const { return static_cast<int>(R_.rows()); }

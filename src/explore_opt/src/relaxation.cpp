@@ -62,8 +62,8 @@ RelaxedSolution fromDual(const QuadraticProgram& program, const LmiSolution& sol
   const int p = program.numAmplitudes();
   RelaxedSolution relaxed;
   relaxed.Z = unpackTriangle(solution.y, program.size());
-  relaxed.nu = solution.y.segment(numMultipliers(program),
-                                  static_cast<Index>(program.peaks().size()));
+  relaxed.nu =
+      solution.y.segment(numMultipliers(program), static_cast<Index>(program.peaks().size()));
   const MatrixXd X = 2.0 * solution.multipliers[1];
   relaxed.lifted = X.topLeftCorner(p, p);
   relaxed.mean = hasConstant(program) ? VectorXd(X.col(p).head(p)) : VectorXd(VectorXd::Zero(p));
@@ -112,8 +112,7 @@ LmiProgram dualProgram(const QuadraticProgram& program) {
   }
   lmi.blocks.push_back({MatrixXd::Zero(n, n), 0, num_Z, {}});
   lmi.blocks.push_back(std::move(slack));
-  for (int k = 0; k < num_nu; ++k)
-    lmi.blocks.push_back({MatrixXd::Zero(1, 1), num_Z + k, 1, {}});
+  for (int k = 0; k < num_nu; ++k) lmi.blocks.push_back({MatrixXd::Zero(1, 1), num_Z + k, 1, {}});
   return lmi;
 }
 
@@ -153,9 +152,8 @@ LmiProgram liftedProgram(const QuadraticProgram& program) {
     }
   }
   for (int a = 0; constant && a < p; ++a) {
-    excess.slopes.push_back(program.homogeneous()
-                                ? MatrixXd::Zero(program.size(), program.size())
-                                : MatrixXd(2.0 * program.S_0(a)));
+    excess.slopes.push_back(program.homogeneous() ? MatrixXd::Zero(program.size(), program.size())
+                                                  : MatrixXd(2.0 * program.S_0(a)));
   }
   lmi.blocks.push_back(std::move(lifted));
   lmi.blocks.push_back(std::move(excess));
@@ -184,8 +182,8 @@ VectorXd liftedStart(const QuadraticProgram& program, const VectorXd& reference)
   return y;
 }
 
-RelaxedSolution solveRelaxed(const QuadraticProgram& program, const VectorXd& reference,
-                             double gap, double stop_above) {
+RelaxedSolution solveRelaxed(const QuadraticProgram& program, const VectorXd& reference, double gap,
+                             double stop_above) {
   const int m = order(program);
   const bool lift = program.peaks().empty() && m * (m + 1) / 2 < numMultipliers(program);
   if (lift) {

@@ -100,8 +100,8 @@ class Horizon {
     for (int a = 0; a < num_states_; ++a) {
       next.middleCols(a * nx_, nx_) = rows_.middleCols(a * nx_, nx_) * power.transpose();
       if (a == p_) break;
-      next.middleCols(a * nx_, nx_) += rows_.middleCols(carrierColumn(a), 2) *
-                                       drive[static_cast<std::size_t>(a)].transpose();
+      next.middleCols(a * nx_, nx_) +=
+          rows_.middleCols(carrierColumn(a), 2) * drive[static_cast<std::size_t>(a)].transpose();
     }
     for (int i = 0; i < problem_.lines.size(); ++i) {
       const Index column = num_states_ * nx_ + 2 * i;
@@ -143,11 +143,11 @@ class Horizon {
 
   void require() const {
     if (rows_.allFinite() && rows_.cwiseAbs().maxCoeff() < kLargest) return;
-    throw ResponseOverflow(fmt::format(
-        "the predicted response overflows: {} grows beyond {:g} within T = {}. {}", name(),
-        kLargest, problem_.lines.num_samples,
-        problem_.K.size() > 0 ? "Choose a K that stabilises, or shorten T"
-                              : "Stabilise with K (u = K x + signal), or shorten T"));
+    throw ResponseOverflow(
+        fmt::format("the predicted response overflows: {} grows beyond {:g} within T = {}. {}",
+                    name(), kLargest, problem_.lines.num_samples,
+                    problem_.K.size() > 0 ? "Choose a K that stabilises, or shorten T"
+                                          : "Stabilise with K (u = K x + signal), or shorten T"));
   }
   const char* name() const { return problem_.K.size() > 0 ? "A + B K" : "A"; }
 

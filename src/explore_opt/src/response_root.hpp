@@ -15,8 +15,8 @@ struct ResponseRoot {
 };
 
 /// Doubles the horizon by R_2t = triangle of [R_t; R_t (Fᵗ)ᵀ], F the generator of states and
-/// carriers: O(log T), and no digits are lost to forming Gram matrices (math.md 2.3). The rank is at
-/// most n_x + 2 L, and so is r.
+/// carriers: O(log T), and no digits are lost to forming Gram matrices (math.md 2.3). The rank is
+/// at most n_x + 2 L, and so is r.
 /// @throws ResponseOverflow if A (or A + B K) grows beyond what doubles resolve in T samples
 ResponseRoot responseRoot(const ExplorationProblem& problem);
 

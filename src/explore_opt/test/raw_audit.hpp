@@ -119,8 +119,8 @@ inline double rawBound(const ExplorationProblem& problem, const DesignResult& re
     }
   }
   const Eigen::SelfAdjointEigenSolver<RealMatrix> eigen(M);
-  const RealMatrix root =
-      eigen.eigenvalues().cwiseMax(Real(0)).cwiseSqrt().asDiagonal() * eigen.eigenvectors().transpose();
+  const RealMatrix root = eigen.eigenvalues().cwiseMax(Real(0)).cwiseSqrt().asDiagonal() *
+                          eigen.eigenvectors().transpose();
   std::vector<RealMatrix> responses;  // to each component, and to x_0
   for (int a = 0; a < p; ++a) {
     Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(p / nu, nu);

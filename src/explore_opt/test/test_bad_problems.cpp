@@ -45,7 +45,8 @@ const std::vector<BadProblem>& badProblems() {
       {"B too tall", R"({"B": [[1], [1], [1]]})", 2, "B is 3 x 1; must be 2 x 1"},
       {"K of the wrong shape", R"({"K": [[1, 2], [3, 4]]})", 2, "K is 2 x 2; must be 1 x 2"},
       {"x0 too long", R"({"x0": [1, 2, 3]})", 2, "x0 is 3 x 1; must be 2 x 1"},
-      {"D of no shape", R"({"D_des": [[1, 0], [0, 1]]})", 2, "D_des is 2 x 2; must be a number, 3 x 3"},
+      {"D of no shape", R"({"D_des": [[1, 0], [0, 1]]})", 2,
+       "D_des is 2 x 2; must be a number, 3 x 3"},
       {"D not symmetric", R"({"D_des": [[1, 0.1, 0], [0, 1, 0], [0, 0, 1]]})", 2,
        "D_des is not symmetric"},
       {"D indefinite", R"({"D_des": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]})", 2,
@@ -64,7 +65,8 @@ const std::vector<BadProblem>& badProblems() {
       {"mirrored line", R"({"harmonics": [8, 362]})", 2, "362 is 8 mirrored"},
       {"mirrored frequency", R"({"harmonics": null, "frequencies": [0.25, 0.75]})", 2,
        "0.75 is 0.25 mirrored"},
-      {"line twice", R"({"harmonics": [3, 6, 3]})", 2, "harmonics[2] = 3 stands in the list already"},
+      {"line twice", R"({"harmonics": [3, 6, 3]})", 2,
+       "harmonics[2] = 3 stands in the list already"},
       {"no lines", R"({"harmonics": []})", 2, "give exactly one of the two lists"},
       {"both lists", R"({"frequencies": [0.1]})", 2, "give exactly one of the two lists"},
       {"line not whole", R"({"harmonics": [3.5]})", 2, "must be a whole number"},
@@ -84,10 +86,11 @@ const std::vector<BadProblem>& badProblems() {
       {"known otherwise", R"({"known": [[2, null, null], [null, null, null]]})", 2,
        "known(0, 0) = 2, but [A B] has 1 there"},
       {"experiments none", R"({"experiments": 0})", 2, "experiments = 0; must lie in 1..64"},
-      {"too few lines", R"({"A": [[0.5]], "B": [[1, 2, 3]], "harmonics": [5, 9], "phase": "cos"})", 3,
-       "no amplitudes of these 2 lines excite all 4 directions at once; add lines"},
-      {"one line for two inputs", R"({"A": [[0.5]], "B": [[1, 2]], "harmonics": [5], "phase": "cos"})",
-       3, "no amplitudes of these 1 lines excite all 3 directions at once"},
+      {"too few lines", R"({"A": [[0.5]], "B": [[1, 2, 3]], "harmonics": [5, 9], "phase": "cos"})",
+       3, "no amplitudes of these 2 lines excite all 4 directions at once; add lines"},
+      {"one line for two inputs",
+       R"({"A": [[0.5]], "B": [[1, 2]], "harmonics": [5], "phase": "cos"})", 3,
+       "no amplitudes of these 1 lines excite all 3 directions at once"},
       {"T below n_phi", R"({"T": 2, "harmonics": null, "frequencies": [0.1, 0.2]})", 3,
        "T = 2 samples cannot determine 3 regressors"},
       {"not controllable", R"({"B": [[1], [0]]})", 3, "(A, B) is not controllable"},
@@ -113,9 +116,9 @@ class BadProblems : public ::testing::Test {
     const std::string file = (dir_ / "problem.json").string(), out = (dir_ / "out").string(),
                       err = (dir_ / "err").string();
     std::ofstream(file) << problem;
-    const int status = std::system((std::string(EXPLORE_OPT_PROGRAM) + " design '" + file + "' >'" +
-                                    out + "' 2>'" + err + "'")
-                                       .c_str());
+    const int status = std::system(
+        (std::string(EXPLORE_OPT_PROGRAM) + " design '" + file + "' >'" + out + "' 2>'" + err + "'")
+            .c_str());
     stdout_ = quad_support::readFile(out);
     stderr_ = quad_support::readFile(err);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;

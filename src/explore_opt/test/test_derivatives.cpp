@@ -93,7 +93,8 @@ struct Scaled {
   Scaled(const ExplorationProblem& problem, std::uint64_t seed, bool peaks = true)
       : task(taskOf(problem)),
         reference(task.onBoundary(randomDirection(task, seed, 0))),
-        program(task.response, task.gamma_w, reference, peaks ? somePeaks(task) : std::vector<PeakConstraint>()) {}
+        program(task.response, task.gamma_w, reference,
+                peaks ? somePeaks(task) : std::vector<PeakConstraint>()) {}
   DesignTask task;
   VectorXd reference;
   QuadraticProgram program;
@@ -135,9 +136,10 @@ TEST(QuadraticProgram, IsTheSameProblemInOtherCoordinates) {
                              .sum();
     EXPECT_NEAR(plain, hat * s.reference.squaredNorm(), 1e-9 * std::abs(plain));
     EXPECT_LT((s.program.fromCertificate(original) - Z).norm(), 1e-9 * Z.norm());
-    if (s.program.homogeneous())
+    if (s.program.homogeneous()) {
       EXPECT_NEAR(scaled.dot(s.program.H(Z) * scaled), Z.cwiseProduct(s.program.N(scaled)).sum(),
-                1e-11 * Z.norm() * p);
+                  1e-11 * Z.norm() * p);
+    }
     // The reference has unit cost, sits on the boundary, and its slack is diagonal.
     MatrixXd slack = s.program.N(s.program.toScaled(s.reference)) - s.program.rightSide();
     EXPECT_NEAR(slack(n - 1, n - 1), 0.0, 1e-10);
@@ -170,7 +172,8 @@ TEST(FactorProgram, StartSatisfiesTheConstraints) {
     }
     const int n = s.program.size();
     const MatrixXd Z0 = randomMatrix(1, 1, n, n), Z = Z0 + Z0.transpose();
-    EXPECT_LT((program.certificateOf(program.multipliersOf(Z, VectorXd::Ones(2))) - Z).norm(), 1e-15 * Z.norm());
+    EXPECT_LT((program.certificateOf(program.multipliersOf(Z, VectorXd::Ones(2))) - Z).norm(),
+              1e-15 * Z.norm());
   }
 }
 
@@ -222,8 +225,8 @@ TEST(Relaxation, BothProgramsMeet) {
     const int n = s.program.size(), p = s.program.numAmplitudes();
     const LmiProgram dual = dualProgram(s.program), lifted = liftedProgram(s.program);
     const LmiSolution below = solveLmi(dual, dualStart(s.program), 1e-9);
-    const LmiSolution above = solveLmi(
-        lifted, liftedStart(s.program, s.program.toScaled(s.reference)), 1e-9);
+    const LmiSolution above =
+        solveLmi(lifted, liftedStart(s.program, s.program.toScaled(s.reference)), 1e-9);
     EXPECT_TRUE(below.converged);
     EXPECT_TRUE(above.converged);
     // Either value is that of a strictly feasible point, so they enclose the optimum.
@@ -233,8 +236,7 @@ TEST(Relaxation, BothProgramsMeet) {
     EXPECT_GT(explore_opt::testing::smallestEigenvalue(dual.blocks[0].at(below.y)), 0.0);
     EXPECT_GT(explore_opt::testing::smallestEigenvalue(dual.blocks[1].at(below.y)), 0.0);
 
-    const RelaxedSolution relaxed =
-        solveRelaxed(s.program, s.program.toScaled(s.reference), 1e-9);
+    const RelaxedSolution relaxed = solveRelaxed(s.program, s.program.toScaled(s.reference), 1e-9);
     MatrixXd N = s.program.homogeneous() ? MatrixXd::Zero(n, n) : s.program.S_00();
     for (int a = 0; a < p; ++a) {
       if (!s.program.homogeneous()) N += 2.0 * relaxed.mean(a) * s.program.S_0(a);
@@ -259,12 +261,14 @@ TEST(Relaxation, ThePeakLimitHasItsShare) {  // u_max as one more row: the bound
   const RelaxedSolution relaxed = solveRelaxed(program, program.toScaled(start), 1e-9);
   ASSERT_TRUE(relaxed.converged);
   EXPECT_GT(relaxed.nu(0), 1e-3);  // 5.7 without it
-  const Certificate bound = task.certify(program.toCertificate(relaxed.Z),
-                                         program.toCost(1.0) * relaxed.nu);
+  const Certificate bound =
+      task.certify(program.toCertificate(relaxed.Z), program.toCost(1.0) * relaxed.nu);
   EXPECT_GT(bound.bound, 3.3194);
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     const VectorXd a = task.onBoundary(randomDirection(task, 7, seed));
-    if (first.room(a) >= 0.0) EXPECT_GE(a.norm(), bound.bound) << seed;
+    if (first.room(a) >= 0.0) {
+      EXPECT_GE(a.norm(), bound.bound) << seed;
+    }
   }
 }
 
@@ -273,8 +277,7 @@ TEST(LmiSolver, SmallestEigenvalue) {  // max t s.t. M - t I ⪰ 0
   LmiProgram program;
   program.reward = VectorXd::Ones(1);
   program.blocks.push_back({M, 0, 1, {-MatrixXd::Identity(7, 7)}});
-  const LmiSolution solution =
-      solveLmi(program, VectorXd::Constant(1, -2.0 * M.norm()), 1e-10);
+  const LmiSolution solution = solveLmi(program, VectorXd::Constant(1, -2.0 * M.norm()), 1e-10);
   EXPECT_TRUE(solution.converged);
   EXPECT_NEAR(solution.y(0), explore_opt::testing::smallestEigenvalue(M), 1e-9);
   EXPECT_NEAR(solution.multipliers[0].trace(), 1.0, 1e-9);
@@ -283,8 +286,7 @@ TEST(LmiSolver, SmallestEigenvalue) {  // max t s.t. M - t I ⪰ 0
 TEST(LmiSolver, StopsWhereThereIsNoMaximum) {  // max t s.t. I + t I ⪰ 0
   LmiProgram program;
   program.reward = VectorXd::Ones(1);
-  program.blocks.push_back(
-      {MatrixXd::Identity(2, 2), 0, 1, {MatrixXd::Identity(2, 2)}});
+  program.blocks.push_back({MatrixXd::Identity(2, 2), 0, 1, {MatrixXd::Identity(2, 2)}});
   const LmiSolution solution = solveLmi(program, VectorXd::Zero(1), 1e-9, 50.0);
   EXPECT_FALSE(solution.converged);
   EXPECT_GT(solution.y(0), 50.0);

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -373,7 +374,11 @@ TEST(ProblemJson, ReadsEveryKey) {
   json object = thesis();
   object["D_des"] = {{2, 0.5, 0}, {0.5, 3, 0}, {0, 0, 4}};
   object["K"] = {{-1, -2}};
-  object["x0"] = {0, 0};
+  object["x0"] = {0.5, 0};
+  object["cost"] = "input";
+  object["known"] = {{1, nullptr, nullptr}, {0, nullptr, nullptr}};
+  object["u_max"] = 4.5;
+  object["experiments"] = 2;
   const ExplorationProblem problem = problemFromJson(object.dump(), "p.json");
   EXPECT_EQ(problem.A(0, 1), 0.1635);
   EXPECT_EQ(problem.lines.num_samples, 370);
@@ -381,6 +386,12 @@ TEST(ProblemJson, ReadsEveryKey) {
   EXPECT_EQ(problem.phase, Phase::kSin);
   EXPECT_EQ(problem.D_des(1, 0), 0.5);
   EXPECT_EQ(problem.K(0, 1), -2.0);
+  EXPECT_EQ(problem.x0(0), 0.5);
+  EXPECT_EQ(problem.cost, CostOn::kInput);
+  EXPECT_EQ(problem.known(1, 0), 0.0);
+  EXPECT_TRUE(std::isnan(problem.known(1, 2)));
+  EXPECT_EQ(problem.u_max, Eigen::VectorXd::Constant(1, 4.5));
+  EXPECT_EQ(problem.experiments, 2);
 }
 
 TEST(ProblemJson, SaysWhatIsWrong) {
@@ -397,7 +408,9 @@ TEST(ProblemJson, SaysWhatIsWrong) {
   EXPECT_NE(messageOf(with("gamma_w", "20")), "");
   EXPECT_NE(messageOf(with("A", 1)), "");
   EXPECT_NE(messageOf(with("frequencies", {0.1})), "");  // beside harmonics
-  EXPECT_NE(messageOf(with("x0", {1, 0})), "");
+  EXPECT_NE(messageOf(with("x0", {1, 0, 0})), "");
+  EXPECT_NE(messageOf(with("known", {{1, nullptr}})), "");
+  EXPECT_NE(messageOf(with("u_max", "1")), "");
   EXPECT_NE(messageOf("[]"), "");
   EXPECT_NE(messageOf("{\"A\": [[1]]"), "");
   EXPECT_EQ(messageOf("{\"A\": 1, \"A\": 2}"), "p.json: key \"A\" is given twice");

@@ -16,8 +16,9 @@ constexpr const char* kHelp = R"(Example:
          "phase": "sin", "gamma_w": 20, "D_des": 100}' > problem.json
   explore_opt design problem.json --out design.json
   explore_opt design problem.json --method mm --initial design.json --cost-tolerance 1e-6
-D_des: a number (times I), n_phi x n_phi (meaning D (x) I) or the full matrix. Optional: K (feedback), x0 (zero).
-The answer's amplitudes: a row a carrier, a column an input; phase both: {"cos": rows, "sin": rows}. --initial takes the
+D_des: a number (times I), n_phi x n_phi (meaning D (x) I) or the full matrix; may be singular. Optional: x0 (start),
+K (u = K x + signal) and cost (signal | input), known ([A B] with null where unknown), u_max (a number or one an input),
+experiments (runs with amplitudes of their own). The answer's amplitudes: a row a carrier, a column an input; phase both: {"cos": rows, "sin": rows}. --initial takes the
 same rows or a whole answer; only their direction counts, the size is scaled to the boundary.
 Exit code 0: amplitudes found; 3: there are none, or they are not trustworthy (see "status"); 2: bad input.)";
 
