@@ -47,10 +47,10 @@ Real carrier(const ExplorationProblem& problem, int row, int k) {
 
 /// D_des as it is meant: λ I and D ⊗ I stay n_φ x n_φ, unless entries are known.
 Matrix meaning(const ExplorationProblem& problem) {
-  const Index n = problem.numRegressors(), nx = problem.numStates();
+  const Index n = problem.numRegressors();
   Matrix D = problem.D_des.cast<Real>();
   if (D.size() == 1) D = (D(0, 0) * Matrix::Identity(n, n)).eval();
-  return D.rows() == n * nx ? D : D;
+  return D;
 }
 
 /// S ⊗ I.
@@ -118,7 +118,9 @@ Sums simulate(const ExplorationProblem& problem, const Matrix& M, const DesignCl
     for (const DesignClaims::Peak& peak : claims.peak_multipliers) {
       if (peak.sample != k) continue;
       const Matrix rows = peak.input < 0 ? U : Matrix(U.row(peak.input));
+      const Real limit = problem.u_max(std::max(0, problem.u_max.size() == 1 ? 0 : peak.input));
       s.peaks += std::max<Real>(0.0L, peak.value) * rows.transpose() * rows;
+      s.peak_limits += std::max<Real>(0.0L, peak.value) * limit * limit;
     }
     for (int r = 0; r < runs; ++r) {
       const Vector now = phi * chosen.col(r), u = now.tail(nu);
@@ -141,13 +143,14 @@ Real feasibility(const Sums& s) {
   Matrix S = Matrix::Zero(n, n), D = s.D;
   for (const Matrix& information : s.information)
     S += information / static_cast<Real>(s.information.size());
-  const bool known = false;
+  const bool known = problem.known.size() > 0;
   if (known || D.rows() == n * nx) {
     S = expanded(S, nx);
     if (D.rows() == n) D = expanded(D, nx);
   }
   std::vector<Index> free;
-  for (Index e = 0; e < S.rows(); ++e) free.push_back(e);
+  for (Index e = 0; e < S.rows(); ++e)
+    if (!known || std::isnan(problem.known(e % nx, e / nx))) free.push_back(e);
   const Matrix part = S(free, free), asked = D(free, free);
   // A unit diagonal first: states have units, rounding has none.
   const Vector scale = part.diagonal().cwiseSqrt();
@@ -217,8 +220,14 @@ void checkShapes(const ExplorationProblem& problem, const DesignClaims& claims) 
   requireFinite(claims.amplitudes, "amplitudes");
   requireFinite(claims.certificate, "certificate");
   requireFinite(claims.multiplier, "multiplier");
-  require(claims.peak_multipliers.empty(),
-          "there are peak multipliers, but the problem has no u_max");
+  for (const DesignClaims::Peak& peak : claims.peak_multipliers) {
+    require(problem.u_max.size() > 0, "there are peak multipliers, but the problem has no u_max");
+    require(peak.sample >= 0 && peak.sample < problem.lines.num_samples && peak.input >= -1 &&
+                peak.input < problem.numInputs() &&
+                (problem.u_max.size() == 1 || peak.input >= 0) && std::isfinite(peak.value),
+            "peak multiplier of sample {}, input {}, value {} does not fit the problem",
+            peak.sample, peak.input, peak.value);
+  }
 }
 
 /// The multiplier in raw coordinates, its positive part; 0 x 0 if none fits.
@@ -250,7 +259,7 @@ AuditReport audit(const ExplorationProblem& problem, const DesignClaims& claims)
   const Matrix M = multiplierOf(problem, claims);
   Sums s = simulate(problem, M, claims);
   const auto runs = static_cast<Real>(s.information.size());
-  const bool on_input = false;
+  const bool on_input = problem.cost == CostOn::kInput;
   Real square = claims.amplitudes.cast<Real>().squaredNorm() / runs;
   if (on_input) {
     square = 0.0L;
@@ -282,6 +291,14 @@ AuditReport audit(const ExplorationProblem& problem, const DesignClaims& claims)
   add("gap", std::abs(claims.gap - claimed_gap) <= 1e-9 && claimed_gap >= -1e-9,
       fmt::format("(gamma_e - lower_bound)/gamma_e = {:.6g} of the claims; claimed {:.6g}",
                   claimed_gap, claims.gap));
+  for (Index j = 0; j < problem.u_max.size(); ++j) {
+    const bool norm = problem.u_max.size() == 1;
+    const auto peak = static_cast<double>(s.largest_inputs(norm ? problem.numInputs() : j));
+    add("peak", peak <= problem.u_max(j) * (1.0 + 1e-6),
+        fmt::format("the largest {} is {:.9g}; u_max = {:.9g}",
+                    norm ? std::string("||u_k||") : fmt::format("|u_{}|", j + 1), peak,
+                    problem.u_max(j)));
+  }
   return report;
 }
 

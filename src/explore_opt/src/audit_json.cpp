@@ -82,9 +82,9 @@ DesignClaims claimsFromJson(const std::string& text, const std::string& source,
   claims.gamma_e = number(object, "gamma_e", source);
   claims.lower_bound = number(object, "lower_bound", source);
   claims.gap = number(object, "gap", source);
-  if (!object.contains("amplitudes"))
-    throw ConfigError(fmt::format("{}: amplitudes are missing", source));
-  claims.amplitudes = amplitudes(object.at("amplitudes"), problem.phase, source);
+  const char* key = object.contains("experiments") ? "experiments" : "amplitudes";
+  if (!object.contains(key)) throw ConfigError(fmt::format("{}: {} are missing", source, key));
+  claims.amplitudes = amplitudes(object.at(key), problem.phase, source);
   claims.certificate = optionalMatrix(object, "certificate", source);
   claims.multiplier = optionalMatrix(object, "multiplier", source);
   if (!object.contains("peak_multipliers")) return claims;

@@ -133,6 +133,8 @@ std::vector<BaselineCost> compareBaselines(const ExplorationProblem& problem,
                                            const MatrixXd& amplitudes,
                                            const BaselineOptions& options) {
   validate(problem);
+  require(problem.experiments == 1,
+          "experiments = {}; signals are compared one experiment at a time", problem.experiments);
   require(options.seeds >= 1 && options.seeds <= 100000, "seeds = {}; must be 1 to 100000",
           options.seeds);
   std::vector<BaselineCost> rows = {costOfAmplitudes(problem, "targeted", amplitudes)};

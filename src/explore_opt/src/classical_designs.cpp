@@ -116,6 +116,8 @@ Eigen::MatrixXd classicalDesign(const ExplorationProblem& problem, ClassicalCrit
                                 std::uint64_t seed) {
   ExplorationProblem plain = problem;  // information in the parameters' own units
   plain.D_des = MatrixXd::Constant(1, 1, 1.0);
+  plain.x0.resize(0);  // information grows with the square of the amplitudes
+  plain.cost = CostOn::kSignal;
   plain.u_max.resize(0);
   plain.experiments = 1;
   if (criterion == ClassicalCriterion::kE) {

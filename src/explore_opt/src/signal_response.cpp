@@ -5,6 +5,7 @@
 
 #include "checks.hpp"
 #include "explore_opt/set_membership.hpp"
+#include "explore_opt/structured_least_squares.hpp"
 #include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
@@ -31,12 +32,31 @@ MatrixXd rootOf(const MatrixXd& wide) {
   return qr.matrixQR().topRows(wide.rows()).triangularView<Eigen::Upper>();
 }
 
+/// The same on the unknown entries alone: Eᵀ(RᵀR ⊗ I)E ⪰ G Eᵀ D_des E.
+double structuredMargin(const ExplorationProblem& problem, const MatrixXd& root) {
+  const Index nx = problem.numStates();
+  StructuredFit shape;
+  shape.Theta = problem.known;
+  for (int j = 0; j < problem.numRegressors(); ++j) {
+    for (int i = 0; i < nx; ++i)
+      if (std::isnan(problem.known(i, j))) shape.free.push_back({i, j});
+  }
+  const auto n = static_cast<Index>(shape.free.size());
+  MatrixXd wide = MatrixXd::Zero(n, root.rows() * nx);  // rows: columns of (R ⊗ I) E
+  for (Index e = 0; e < n; ++e) {
+    const Entry at = shape.free[static_cast<std::size_t>(e)];
+    for (Index r = 0; r < root.rows(); ++r) wide(e, r * nx + at.row) = root(r, at.column);
+  }
+  return largestRadius(rootOf(wide), restrictCloseness(problem.D_des, shape));
+}
+
 /// Largest G with RᵀR ⊗ I ⪰ G D_des; 0 if R is singular.
 double marginOf(const ExplorationProblem& problem, const MatrixXd& root) {
   const VectorXd lengths = root.colwise().norm();
   if (!(lengths.minCoeff() > 0.0) || !lengths.allFinite()) return 0.0;
   const VectorXd sigma = quad_support::singularValues(root * lengths.cwiseInverse().asDiagonal());
   if (!(sigma(0) <= kLargestCondition * sigma(sigma.size() - 1))) return 0.0;
+  if (problem.known.size() > 0) return structuredMargin(problem, root);
   FeasibleSet set;
   set.center = MatrixXd::Zero(problem.numStates(), problem.numRegressors());
   set.root = root;

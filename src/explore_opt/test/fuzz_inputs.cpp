@@ -202,6 +202,12 @@ struct Corpus {
       "phase": "both", "gamma_w": 1, "D_des": [[2, 0.5, 0], [0.5, 3, 0], [0, 0, 4]]})"));
     problems.push_back(json::parse(R"({"A": [[1.1, 0], [0.2, 0.5]], "B": [[1], [0]], "T": 20,
       "harmonics": [1, 4], "phase": "cos", "gamma_w": 1, "D_des": 5, "K": [[-0.5, 0]], "x0": [0, 0]})"));
+    problems.push_back(json::parse(R"({"A": [[1, 0.2], [0, 1]], "B": [[0.02], [0.2]], "T": 25,
+      "harmonics": [1, 3, 5], "phase": "cos", "gamma_w": 1, "D_des": 5, "K": [[-0.5, -1]], "x0": [1, 0],
+      "cost": "input", "known": [[1, null, null], [0, null, null]], "u_max": 30})"));
+    problems.push_back(json::parse(R"({"A": [[0.5, 0.1], [0, 0.3]], "B": [[1], [0.4]], "T": 15,
+      "harmonics": [1, 3, 5], "phase": "sin", "gamma_w": 1, "D_des": [[1, 0, 0], [0, 0, 0], [0, 0, 2]],
+      "experiments": 2})"));
     for (const json& problem : problems) {
       const std::string text = problem.dump();
       const DesignOptions options;
@@ -216,7 +222,7 @@ struct Corpus {
 /// So small that a design takes milliseconds; larger ones are only read and checked.
 bool isQuick(const ExplorationProblem& problem) {
   return problem.lines.num_samples <= 300 && problem.numAmplitudes() <= 16 &&
-         problem.numRegressors() <= 6;
+         problem.numRegressors() <= 6 && problem.experiments <= 3;
 }
 
 enum class Kind { kProblem, kDesign, kDump, kTable, kFrequencies, kFunction, kCount };

@@ -72,6 +72,36 @@ TEST(Audit, AgreesWithDesignsOfManyKinds) {
   }
 }
 
+TEST(Audit, AgreesWithTheWholeProblemClass) {
+  for (int kind = 0; kind < 7; ++kind) {
+    SCOPED_TRACE(kind);
+    ExplorationProblem problem = thesisProblem(Phase::kCos);
+    if (kind == 0) problem.x0 = Eigen::Vector2d(3.0, -1.0);
+    if (kind >= 1) problem.K = (Eigen::MatrixXd(1, 2) << -0.1, -0.4).finished();
+    if (kind == 2) problem.cost = CostOn::kInput;
+    if (kind == 3) {
+      problem.known = Eigen::MatrixXd::Constant(2, 3, NAN);
+      problem.known(0, 0) = 1.0;
+      problem.known(1, 0) = 0.0;
+      problem.known(1, 1) = 1.0;
+    }
+    if (kind == 4) problem.u_max = Eigen::VectorXd::Constant(1, 5.0);
+    if (kind == 5) problem.experiments = 2;
+    if (kind == 6) problem.D_des = Eigen::Vector3d(100, 0, 100).asDiagonal();
+    const DesignResult design = designExploration(problem);
+    ASSERT_TRUE(design.feasible()) << design.message;
+    DesignClaims claims = claimsOf(problem, design);
+    const AuditReport report = audit(problem, claims);
+    for (const AuditCheck& check : report.checks) EXPECT_TRUE(check.passed) << check.finding;
+    EXPECT_GE(report.gap, -1e-9);
+    claims.amplitudes *= 0.98;
+    EXPECT_NE(failures(problem, claims), "");
+    claims = claimsOf(problem, design);
+    claims.lower_bound *= 1.01;
+    EXPECT_NE(failures(problem, claims).find("lower_bound"), std::string::npos);
+  }
+}
+
 TEST(Audit, FindsWhatWasTamperedWith) {
   const ExplorationProblem problem = thesisProblem(Phase::kCos);
   const DesignClaims honest = claimsOf(problem, designExploration(problem));

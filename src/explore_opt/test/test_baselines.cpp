@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "explore_opt/audit.hpp"
 #include "explore_opt/baselines.hpp"
 #include "explore_opt/classical_designs.hpp"
 #include "explore_opt/design_json.hpp"
@@ -50,6 +51,22 @@ TEST(SignalResponse, ScaleMeetsTheConditionExactly) {
     // λ_min by another simulation and another factorisation; D has a condition of about 1e3.
     EXPECT_NEAR(explore_opt::testing::simulatedLambdaMin(problem, s * a), 1.0, 1e-10);
     EXPECT_NEAR(s * a.norm(), scaledCost(problem, a), 1e-10 * s * a.norm());
+  }
+}
+
+TEST(SignalResponse, ScaleHoldsForStartKnownEntriesAndSingularCloseness) {
+  for (int kind = 0; kind < 4; ++kind) {
+    SCOPED_TRACE(kind);
+    ExplorationProblem problem = thesisProblem(Phase::kCos);
+    if (kind == 0) problem.x0 = Eigen::Vector2d(3.0, -1.0);
+    if (kind == 1) problem.known = (Eigen::MatrixXd(2, 3) << 1, NAN, NAN, 0, 1, NAN).finished();
+    if (kind == 2) problem.D_des = Eigen::Vector3d(100, 0, 100).asDiagonal();
+    if (kind == 3) problem.K = (Eigen::MatrixXd(1, 2) << -0.1, -0.4).finished();
+    DesignClaims claims;
+    claims.amplitudes = randomMatrix(3, 0, 4, 1);
+    claims.amplitudes *=
+        requiredScale(problem, multisine(problem.lines, problem.phase, claims.amplitudes));
+    EXPECT_NEAR(audit(problem, claims).lambda_min, 1.0, 1e-9);  // bisection ends at 1e-12
   }
 }
 
