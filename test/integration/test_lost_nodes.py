@@ -57,6 +57,14 @@ class LostNodes(FlightCase):
         self.assertLess(seconds, LIMIT + 3.0)    # it had 3 s to answer
         self.assertRegex(answer.stderr.splitlines()[0], "no command stamped .* on /hummingbird/command/motor_speed")
 
+    def test_others_that_hang(self):
+        for node in ("gazebo", "time_manager"):
+            with self.subTest(node):
+                answer, seconds = self.disturb(lambda _, nodes: os.kill(nodes[node], signal.SIGSTOP))
+                self.assertEqual(answer.code, 5, answer)
+                self.assertLess(seconds, LIMIT + 4.5)    # it had 4.5 s to answer
+                self.assertRegex(answer.stderr.splitlines()[0], "/time_manager/advance did not answer within .* hangs")
+
     def test_interrupts(self):
         for number, expected in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
             with self.subTest(number.name):

@@ -16,10 +16,7 @@ namespace {
 std::map<std::string, double> flySeed(const ExperimentPlan& base, std::uint64_t seed,
                                       Plant& plant) {
   const ExperimentPlan plan = withSeed(base, seed);
-  ExperimentResult result;
-  result.flights.push_back(flyAndJudge(plan, plant, kTargetedFlight));
-  if (plan.config.fly_gaussian) result.flights.push_back(flyAndJudge(plan, plant, kGaussianFlight));
-  return comparedValues(plan, result);
+  return comparedValues(plan, flyExperiment(plan, {&plant}, "in_process"));
 }
 
 }  // namespace

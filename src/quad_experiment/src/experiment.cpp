@@ -1,5 +1,7 @@
 #include "quad_experiment/experiment.hpp"
 
+#include <fmt/core.h>
+
 #include <chrono>
 #include <cmath>
 #include <future>
@@ -43,18 +45,6 @@ const char* nameOf(Flight flight) { return flight == kTargetedFlight ? "targeted
 std::uint64_t holdIntervals(const ExperimentConfig& config) {
   return static_cast<std::uint64_t>(
       std::llround(config.control.hold_time / config.timing.sampling_period));
-}
-
-/// Altitude [m] of base_link at which a level vehicle touches the ground, with a margin for a
-/// landing between samples.
-double groundClearance(const quad_sim::VehicleModel& vehicle) {
-  constexpr double kMargin =
-      0.005;  // [m]: contact is soft, the vehicle rests a little above or below
-  double clearance = 0.0;
-  for (const auto& box : vehicle.boxes) {
-    clearance = std::max(clearance, 0.5 * box.size.z() - box.X_BC.translation().z());
-  }
-  return clearance + kMargin;
 }
 
 /// Simulated time [ns] of the hold's end: known beforehand in lock-step, where the middleware's
@@ -127,8 +117,6 @@ FlightSpec flightSpec(const ExperimentPlan& plan, const std::vector<double>& sig
   spec.plan.exploration_signal = signal;
   if (!signal.empty()) spec.plan.exploration_start_ns = explorationStart(config, middleware);
   spec.end_of_hold = config.control.hold_time;
-  spec.ground_clearance = groundClearance(plan.vehicle);
-  spec.expect_ground = config.simulation.options.ground;
   return spec;
 }
 
@@ -151,41 +139,78 @@ FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight
   return result;
 }
 
+std::string ExperimentResult::problem() const {
+  const FlightVerdict& v = targeted().verdict;
+  if (v.ok()) return "";
+  const std::string broken = "the promise was broken: ";
+  if (!v.fit.exciting) return broken + "the data do not determine the model";
+  if (v.gamma_w_falsified)
+    return broken +
+           fmt::format("the data falsify gamma_w (G = {:.4g} < 0); raise design.gamma_w", v.set->G);
+  if (!v.exploration_condition) {
+    return broken +
+           fmt::format(
+               "the exploration condition (1.10) is not met (lambda_min(S) = {:.4g}); raise "
+               "design.amplitude_margin or num_samples",
+               v.set->lambda_min_S);
+  }
+  return broken + fmt::format("the objective (1.9) is {:.4g} > 1", v.objective);
+}
+
 int ExperimentResult::exitCode() const {
   return ok() ? quad_support::kDone : quad_support::kNegativeAnswer;
 }
 
 namespace {
 
-FlightResult flyAndRecord(const ExperimentPlan& plan, Plant& plant, Flight flight,
-                          const FlightProgress& progress) {
+FlightResult flyOne(const ExperimentPlan& plan, Plant& plant, Flight flight, Record record,
+                    const FlightProgress& progress) {
   FlightResult flown = flyAndJudge(plan, plant, flight, progress);
-  flown.csv =
-      toCsv(flown.trajectory, quad_control::Mixer(quad_control::rotorGeometry(plan.vehicle)),
-            plan.knowledge.feedforward());
+  if (record == Record::kCsv) {
+    flown.csv =
+        toCsv(flown.trajectory, quad_control::Mixer(quad_control::rotorGeometry(plan.vehicle)),
+              plan.knowledge.feedforward());
+  }
   return flown;
 }
 
-/// What the flights say, targeted first. The random one flies at the same time on the second plant
-/// if there is one: no flight touches what another one reads.
-std::vector<FlightResult> flyAll(const ExperimentPlan& plan, const std::vector<Plant*>& plants,
-                                 const std::function<FlightProgress(Flight)>& progress) {
-  std::future<FlightResult> aside;  // its destructor waits, so the plan outlives the flight
-  if (plan.config.fly_gaussian && plants.size() > 1) {
-    aside = std::async(std::launch::async,
-                       [&] { return flyAndRecord(plan, *plants[1], kGaussianFlight, {}); });
-  }
-  std::vector<FlightResult> flights;
-  flights.push_back(flyAndRecord(plan, *plants[0], kTargetedFlight, progress(kTargetedFlight)));
-  if (aside.valid()) {
-    flights.push_back(aside.get());
-  } else if (plan.config.fly_gaussian) {
-    flights.push_back(flyAndRecord(plan, *plants[0], kGaussianFlight, progress(kGaussianFlight)));
-  }
-  return flights;
+/// The random flight, or why it ended early: it never decides.
+struct RandomFlight {
+  std::optional<FlightResult> flown;
+  std::string failure;
+};
+
+RandomFlight flyRandom(const ExperimentPlan& plan, Plant& plant, Record record,
+                       const FlightProgress& progress) try {
+  return {flyOne(plan, plant, kGaussianFlight, record, progress), ""};
+} catch (const quad_support::SimulationError& e) {
+  return {std::nullopt, e.what()};
 }
 
 }  // namespace
+
+ExperimentResult flyExperiment(const ExperimentPlan& plan, const std::vector<Plant*>& plants,
+                               const std::string& mode, Record record,
+                               const std::function<FlightProgress(Flight)>& progress) {
+  const auto watch = [&](Flight flight) { return progress ? progress(flight) : FlightProgress(); };
+  ExperimentResult result;
+  result.mode = mode;
+  std::future<RandomFlight> aside;  // its destructor waits, so the plan outlives the flight
+  if (plan.config.fly_gaussian && plants.size() > 1) {
+    aside = std::async(std::launch::async, [&] { return flyRandom(plan, *plants[1], record, {}); });
+  }
+  result.flights.push_back(
+      flyOne(plan, *plants[0], kTargetedFlight, record, watch(kTargetedFlight)));
+  if (plan.config.fly_gaussian) {
+    RandomFlight random =
+        aside.valid() ? aside.get() : flyRandom(plan, *plants[0], record, watch(kGaussianFlight));
+    if (random.flown) result.flights.push_back(std::move(*random.flown));
+    result.random_failure = random.failure;
+  }
+  result.time = judgeTime(result.targeted().trajectory, plan.config.timing.sampling_period);
+  result.delay = judgeDelay(result.targeted().timing);
+  return result;
+}
 
 ExperimentResult runExperiment(const ExperimentConfig& config, const std::vector<Plant*>& plants,
                                const std::string& mode, quad_support::ResultDirectory& results,
@@ -200,24 +225,21 @@ ExperimentResult runExperiment(const ExperimentConfig& config, const std::vector
   results.write("design.json", explore_opt::designToJson(plan.problem, plan.design).dump(2) + "\n");
   results.write("provenance.json", provenanceJson(plan, mode).dump(2) + "\n");
 
-  ExperimentResult result;
-  result.mode = mode;
   const double duration =
       config.control.hold_time + config.design.num_samples * config.timing.sampling_period;
-  result.flights = flyAll(plan, plants, [&](Flight flight) {
+  const auto watch = [&](Flight flight) {
     return [&, flight](const quad_sim::Odometry& o) {
       const double time = static_cast<double>(o.time_ns) / 1e9;
       tell({nameOf(flight), time < config.control.hold_time ? "hold" : "explore", time, duration,
             o.p_WB.z(), climbRate(o)});
     };
-  });
+  };
+  ExperimentResult result = flyExperiment(plan, plants, mode, Record::kCsv, watch);
   for (const FlightResult& flown : result.flights) {
     results.write(flown.name + "/trajectory.csv", flown.csv);
     if (!flown.timing.empty())
       results.write(flown.name + "/timing.csv", timingCsv(flown.trajectory, flown.timing));
   }
-  result.time = judgeTime(result.targeted().trajectory, config.timing.sampling_period);
-  result.delay = judgeDelay(result.targeted().timing);
   result.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   results.write("summary.json", summaryJson(plan, result).dump(2) + "\n");

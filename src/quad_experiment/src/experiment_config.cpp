@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -97,6 +98,10 @@ void requireFlight(const ConfigReader& in, const ExperimentConfig& c) {
   if (!(gravity > 0.0))
     in.section("simulation")
         .fail("gravity", "must be > 0 m/s^2: without weight there is nothing to hold");
+  if (std::llround(c.control.hold_time / c.timing.sampling_period) < 1) {
+    in.section("control").fail("hold_time", fmt::format("must be at least one interval of {} s",
+                                                        c.timing.sampling_period));
+  }
   const double feedforward = c.estimate.parameters.mass * gravity;
   const double max_thrust = quad_control::Mixer(quad_control::rotorGeometry(vehicle)).maxThrust();
   if (feedforward >= max_thrust) {

@@ -144,6 +144,7 @@ Json summaryJson(const ExperimentPlan& plan, const ExperimentResult& result) {
                {"service_delay", delayPart(result.delay)}};
   j["targeted"] = nullptr;
   j["random"] = nullptr;
+  if (!result.random_failure.empty()) j["random_failure"] = result.random_failure;
   for (const FlightResult& flight : result.flights) {
     j[flight.name] = flightPart(flight.verdict);
     j[flight.name]["wall_seconds"] = flight.wall_seconds;

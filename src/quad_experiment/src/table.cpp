@@ -97,8 +97,8 @@ struct Likeness {
 };
 
 std::string judge(const Reference& r, double value, bool comparable) {
-  if (r.kind == Kind::kContradictory) return "thesis contradicts itself";
   if (!comparable) return "another experiment";
+  if (r.kind == Kind::kContradictory) return "thesis contradicts itself";
   const bool inside = value >= r.low && value <= r.high;
   if (r.low == -kNoBand && r.high == kNoBand) return "timing noise; see percentiles";
   if (r.kind == Kind::kCertain) return inside ? "reproduced" : "DIFFERS";
@@ -192,13 +192,16 @@ std::string comparisonTable(const ExperimentPlan& plan, const ExperimentResult& 
     const std::string ours = row.ours ? fmt::format("{:.6g}", *row.ours) : "-";
     text += fmt::format("{:<28} {:>12} {:>14}  {}\n", r.label, r.printed, ours, row.verdict);
   }
+  const double flown =
+      Eigen::Map<const Eigen::VectorXd>(plan.amplitudes.data(),
+                                        static_cast<Eigen::Index>(plan.amplitudes.size()))
+          .norm();
   text += fmt::format(
       "\ncertified: no signal below gamma_e = {:.6g} can promise this; designed {:.6g} (gap "
       "{:.1e}), flown {:.6g}\n",
-      plan.design.lower_bound, plan.design.gamma_e, plan.design.gap,
-      Eigen::Map<const Eigen::VectorXd>(plan.amplitudes.data(),
-                                        static_cast<Eigen::Index>(plan.amplitudes.size()))
-          .norm());
+      plan.design.lower_bound, plan.design.gamma_e, plan.design.gap, flown);
+  if (flown < plan.design.lower_bound)
+    text += "the amplitudes flown promise nothing beforehand; the verdict is that of their data\n";
   text += fmt::format("intervals: mean {:.6f} s, std {:.3g} s, largest error {:.3g} s\n",
                       result.time.mean, result.time.std, result.time.max_abs_error);
   if (const auto& delay = result.delay) {
@@ -208,6 +211,9 @@ std::string comparisonTable(const ExperimentPlan& plan, const ExperimentResult& 
   }
   text += '\n';
   for (const FlightResult& flight : result.flights) text += promise(plan, flight);
+  if (!result.random_failure.empty())
+    text +=
+        fmt::format("random\n  ended early, which decides nothing: {}\n", result.random_failure);
   text += fmt::format("\nverdict: the promise was {}\n", result.ok() ? "KEPT" : "BROKEN");
   return text;
 }

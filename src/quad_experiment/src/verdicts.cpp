@@ -90,9 +90,12 @@ FlightVerdict judgeFlight(const Knowledge& knowledge, const ExplorationData& dat
   v.truth_in_set = explore_opt::contains(*v.set, theta_true);
   v.exploration_condition = explore_opt::explorationCondition(*v.set, desired);
   v.objective_met = v.objective <= 1.0;
+  // An estimate that is the truth is infinitely close to it; any closeness beyond what is asked
+  // says the same.
+  const double initial = explore_opt::closenessOfEstimate(knowledge.truth, knowledge.estimate);
   v.chain = explore_opt::judgeChain(
       *v.set, theta_true, desired,
-      scalar(explore_opt::closenessOfEstimate(knowledge.truth, knowledge.estimate)));
+      scalar(std::isfinite(initial) ? initial : 2.0 * knowledge.desired_closeness));
   return v;
 }
 

@@ -63,8 +63,8 @@ TEST(ThesisExperiment, SeedOneLiesInTheBandsOfSingleRuns) {
   for (const Reference& r : thesisReferences()) {
     if (r.kind == Kind::kContradictory) continue;
     SCOPED_TRACE(r.key);
-    ASSERT_TRUE(values.count(r.key) > 0 || r.key.rfind("random", 0) == 0);
-    if (values.count(r.key) == 0) continue;
+    // The random flight of this seed does not falsify gamma_w, so it has every number too.
+    ASSERT_EQ(values.count(r.key), 1u);
     EXPECT_GE(values.at(r.key), r.low);
     EXPECT_LE(values.at(r.key), r.high);
   }

@@ -47,7 +47,6 @@ FlightSpec spec(std::size_t samples) {
   FlightSpec spec;
   spec.plan.exploration_signal.assign(samples, 1.0);
   spec.plan.exploration_start_ns = 500 * kMillisecond;
-  spec.ground_clearance = 0.06;
   return spec;
 }
 
@@ -103,14 +102,10 @@ TEST(Fly, DelaysAreJudged) {
 }
 
 TEST(Fly, GroundAndDivergenceEndTheFlight) {
-  FakePlant sinking;
-  sinking.z_per_interval = -30.0;
-  EXPECT_THROW(fly(sinking, spec(7), kExact), quad_support::SimulationError);
-  FlightSpec no_ground = spec(7);
-  no_ground.expect_ground = false;
-  FakePlant again;
-  again.z_per_interval = -30.0;
-  EXPECT_NO_THROW(fly(again, no_ground, kExact));
+  // Between two samples, which both lie above the ground.
+  FakePlant bouncing;
+  bouncing.now_.ground_contact_ns = 250 * kMillisecond;
+  EXPECT_THROW(fly(bouncing, spec(7), kExact), GroundContact);
   FakePlant diverging;
   diverging.nan_at_ns = 300 * kMillisecond;
   EXPECT_THROW(fly(diverging, spec(7), kExact), quad_support::SimulationError);

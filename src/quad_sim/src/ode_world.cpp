@@ -16,11 +16,13 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+/// A thread's own collision caches; nothing if they are there.
+void initThread() { dAllocateODEDataForThread(dAllocateMaskAll); }
+
 void initOde() {
   static std::once_flag once;
   std::call_once(once, [] { dInitODE2(0); });
-  dAllocateODEDataForThread(
-      dAllocateMaskAll);  // each thread's collision caches; nothing if they are there
+  initThread();
 }
 
 }  // namespace
@@ -57,6 +59,7 @@ void OdeWorld::makeGround() {
 }
 
 int OdeWorld::touch(dGeomID geom, dBodyID of) {
+  initThread();  // who steps need not be who built this
   std::array<dContactGeom, kMaxContacts> found;
   const int n = dCollide(geom, plane, kMaxContacts, found.data(), sizeof(dContactGeom));
   for (int k = 0; k < n; ++k) {
@@ -69,8 +72,11 @@ int OdeWorld::touch(dGeomID geom, dBodyID of) {
 }
 
 void OdeWorld::quickStep(double h) {
-  dRandSetSeed(0);  // QuickStep draws the order of the constraints from a generator that is one for
-                    // the process
+  // QuickStep draws the order of the constraints from a generator that is one for the process,
+  // while worlds may step in several threads.
+  static std::mutex order_of_constraints;
+  const std::lock_guard<std::mutex> lock(order_of_constraints);
+  dRandSetSeed(0);
   // Not dWorldStep: its direct solver breaks down on a box's four corners, which say one thing
   // twice.
   dWorldQuickStep(world, h);

@@ -339,6 +339,7 @@ void Simulator::measure(Measurement& out) const {
   out.odometry.q_WB = state.q_WB;
   out.odometry.v_WB_B = state.q_WB.conjugate() * state.v_WB;
   out.odometry.w_WB_B = state.w_WB_B;
+  out.ground_contact_ns = groundContactTime();
 }
 
 Measurement Simulator::measure() const {

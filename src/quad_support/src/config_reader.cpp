@@ -236,11 +236,17 @@ YAML::Node require(const Reader& reader, const Entries& entries, const std::stri
   return value;
 }
 
+/// The scalar as written; empty for what is no plain scalar: a list, a map, a text in quotes.
+std::string plainScalar(const YAML::Node& node) {
+  const bool quoted = node.Tag() == "!";
+  return node.IsScalar() && !quoted ? node.Scalar() : "";
+}
+
 double toNumber(const ConfigReader& reader, const YAML::Node& node, const std::string& key,
                 const Range& range, int index) {
   double value = 0;
   try {
-    value = scalarToDouble(node.IsScalar() ? node.Scalar() : "");
+    value = scalarToDouble(plainScalar(node));
   } catch (const std::invalid_argument&) {
     reader.fail(key, describe(range), index);
   }
@@ -255,7 +261,7 @@ std::int64_t toInteger(const ConfigReader& reader, const YAML::Node& node, const
                                    : fmt::format("must be a whole number in {}..{}", min, max);
   double value = 0;
   try {
-    value = scalarToDouble(node.IsScalar() ? node.Scalar() : "");
+    value = scalarToDouble(plainScalar(node));
   } catch (const std::invalid_argument&) {
     reader.fail(key, expected, index);
   }
@@ -302,7 +308,7 @@ std::vector<std::string> ConfigReader::values(const std::string& key) const {
 
 bool ConfigReader::boolean(const std::string& key) const {
   const std::string value =
-      require(*this, node_->entries, key, false, "must be true or false").Scalar();
+      plainScalar(require(*this, node_->entries, key, false, "must be true or false"));
   if (value != "true" && value != "false") fail(key, "must be true or false");
   return value == "true";
 }

@@ -66,7 +66,7 @@ class TimeManagerNode {
       response.estimated_service_delay = manager_.estimatedDelay();
       delays_.add(response.service_delay, 0.0);
       const std::int64_t after = quad_sim::simulatedTime(command_stamp_);
-      intervals_.add(1e-9 * static_cast<double>(after - before), timing_.sampling_period);
+      intervals_.add(1e-9 * static_cast<double>(after - before), request.steps * step_);
     });
   }
 

@@ -69,11 +69,13 @@ struct ExperimentResult {
   std::vector<FlightResult> flights;
   TimeVerdict time;                   ///< of the targeted flight
   std::optional<DelayVerdict> delay;  ///< likewise, if the clock on the wall paced it
+  std::string random_failure;  ///< why the random flight ended early, if it did; it never decides
   double wall_seconds = 0.0;
 
   const FlightResult& targeted() const { return flights.front(); }
   bool ok() const { return targeted().verdict.ok(); }
   int exitCode() const;
+  std::string problem() const;  ///< which promise was broken, in a line; empty if ok()
 };
 
 /// What is happening, for whoever watches.
@@ -86,11 +88,22 @@ struct ExperimentStatus {
 };
 using StatusCallback = std::function<void(const ExperimentStatus&)>;
 
+enum class Record { kNone, kCsv };  ///< whether each flight's `csv` is filled
+
+/// All flights of a plan, judged.
+/// @param plants  one: the flights follow each other; two: they fly at the same time. The same bits
+/// either way.
+/// @param progress  gives a flight its progress callback; with two plants only the targeted one,
+/// always from this thread
+/// @throws what fly() throws, of the targeted flight; of the random one all but SimulationError
+ExperimentResult flyExperiment(const ExperimentPlan& plan, const std::vector<Plant*>& plants,
+                               const std::string& mode, Record record = Record::kNone,
+                               const std::function<FlightProgress(Flight)>& progress = {});
+
 /// Runs everything and fills `results` (not yet committed): config.yaml, provenance.json and
 /// design.json before the first flight; trajectories (on the wall clock timing.csv beside them),
 /// summary.json, table.txt and table.json after the last.
-/// @param plants  one: the flights follow each other; two: they fly at the same time. The same bits
-/// either way. Only the targeted flight reports its progress then, and always from this thread.
+/// @param plants  as flyExperiment() takes them
 ExperimentResult runExperiment(const ExperimentConfig& config, const std::vector<Plant*>& plants,
                                const std::string& mode, quad_support::ResultDirectory& results,
                                const StatusCallback& status = {});

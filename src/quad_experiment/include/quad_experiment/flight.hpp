@@ -23,9 +23,6 @@ class GroundContact : public quad_support::SimulationError {
 struct FlightSpec {
   quad_control::FlightPlan plan;  ///< references, feed-forward, signal and its start time
   double end_of_hold = 0.0;       ///< [s] length of a flight without exploration; unused otherwise
-  double ground_clearance =
-      0.0;                    ///< [m] altitude of base_link at which the vehicle touches the ground
-  bool expect_ground = true;  ///< touching the ground ends the flight with SimulationError
 };
 
 /// Called after each interval with the state at its end; for progress.
@@ -33,8 +30,8 @@ using FlightProgress = std::function<void(const quad_sim::Odometry&)>;
 
 /// Thesis section 1.2.4, steps (a) to (j), until the signal of the plan has been flown (T inputs, T
 /// + 1 states) or, without a signal, until `end_of_hold`.
-/// @throws quad_support::SimulationError: ground contact (GroundContact), a state that is not finite, a vehicle on
-/// its back;
+/// @throws quad_support::SimulationError: ground contact at any time, between samples too
+/// (GroundContact), a state that is not finite, a vehicle on its back;
 ///         quad_support::EnvironmentError: the plant is lost; quad_support::Interrupted
 Trajectory fly(Plant& plant, const FlightSpec& spec, const Middleware& middleware,
                const FlightProgress& progress = {});

@@ -99,12 +99,7 @@ RunStatus statusOf(const Json& summary) {
 Json flySummary(const ExperimentConfig& config, DesignMemory& designs) {
   const ExperimentPlan plan = planExperiment(config, &designs);
   InProcessPlant plant(config);
-  ExperimentResult result;
-  result.mode = "in_process";
-  result.flights.push_back(flyAndJudge(plan, plant, kTargetedFlight));
-  if (config.fly_gaussian) result.flights.push_back(flyAndJudge(plan, plant, kGaussianFlight));
-  result.time = judgeTime(result.targeted().trajectory, config.timing.sampling_period);
-  return summaryJson(plan, result);
+  return summaryJson(plan, flyExperiment(plan, {&plant}, "in_process"));
 }
 
 }  // namespace

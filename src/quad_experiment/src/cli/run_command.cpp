@@ -51,5 +51,6 @@ int run(const RunOptions& options) {
   std::fputs(quad_support::readFile(results.workPath() + "/table.txt").c_str(), stdout);
   results.commit();
   std::printf("results: %s\n", results.path().c_str());
+  if (!result.ok()) std::fprintf(stderr, "quad_experiment: %s\n", result.problem().c_str());
   return result.exitCode();
 }

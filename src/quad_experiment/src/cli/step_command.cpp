@@ -13,11 +13,19 @@ using namespace quad_experiment;
 
 namespace {
 
-constexpr double kSettled = 0.02;  // of the step: the usual 2 % band
+constexpr double kSettled = 0.02;    // of the step: the usual 2 % band
+constexpr double kHighest = 1000.0;  // [m] farther than the longest flight can settle
 
 }  // namespace
 
 int step(const StepOptions& options) {
+  if (!std::isfinite(options.duration))
+    throw quad_support::ConfigError(
+        fmt::format("--duration = {}; must be 0.5..600 s", options.duration));
+  if (!(std::abs(options.height) > 0.0 && std::abs(options.height) <= kHighest)) {
+    throw quad_support::ConfigError(fmt::format(
+        "--height = {}; must lie in [-{}, {}] m and not be 0", options.height, kHighest, kHighest));
+  }
   const ExperimentConfig config = readExperimentConfig(options.config);
   const ExperimentPlan plan = planExperiment(config);
   const Middleware middleware(middlewareConfig(config), config.seed, kTargetedFlight);
@@ -48,7 +56,10 @@ int step(const StepOptions& options) {
   std::printf("results: %s\n", results.path().c_str());
   const double final_error =
       trajectory.rows.back().state.odometry.p_WB.z() - spec.plan.references.z;
-  return std::abs(final_error) <= kSettled * std::abs(options.height)
-             ? quad_support::kDone
-             : quad_support::kNegativeAnswer;
+  if (std::abs(final_error) <= kSettled * std::abs(options.height)) return quad_support::kDone;
+  std::fprintf(
+      stderr,
+      "quad_experiment: not settled after %g s: error %.3g m, more than %g %% of the step\n",
+      options.duration, final_error, 100.0 * kSettled);
+  return quad_support::kNegativeAnswer;
 }

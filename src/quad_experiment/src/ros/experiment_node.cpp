@@ -5,6 +5,7 @@
 #include <std_msgs/String.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -36,7 +37,10 @@ NodeOptions readOptions() {
   node.param<std::string>("controller", o.plant.controller, "");
   node.param("force", o.force, false);
   node.param("rate", o.plant.rate, 0.0);
+  node.param("command_timeout", o.plant.timeout, 3.0);
   node.param("start_timeout", o.start_timeout, 30.0);
+  if (!(o.plant.timeout > 0.0 && std::isfinite(o.plant.timeout)))
+    throw quad_support::ConfigError("~command_timeout must be > 0 s");
   if (o.config.empty() || o.out.empty()) {
     throw quad_support::ConfigError(
         "the parameters ~config and ~out must be set; launch/experiment.launch does so");
@@ -72,7 +76,9 @@ class StatusTopic {
 };
 
 /// @param written  set to the results directory once it is there
-int fly(ros::NodeHandle& node, const NodeOptions& options, std::string& written) {
+/// @param problem  set to which promise was broken, if one was
+int fly(ros::NodeHandle& node, const NodeOptions& options, std::string& written,
+        std::string& problem) {
   const ExperimentConfig config = readExperimentConfig(options.config, options.mode);
   quad_support::ResultDirectory results(options.out, options.force);
   RosPlantOptions plant_options = options.plant;
@@ -92,6 +98,7 @@ int fly(ros::NodeHandle& node, const NodeOptions& options, std::string& written)
   if (!graph.is_null()) results.write("graph.json", graph.dump(2) + "\n");
   results.commit();
   written = results.path();
+  problem = result.problem();
   std::printf("results: %s\n", written.c_str());
   return result.exitCode();
 }
@@ -107,7 +114,7 @@ int flyAndReport(int argc, char** argv) {
   ros::param::get("~status", status);
   std::string message, written;
   const int code = quad_support::runProgram(
-      "experiment", [&] { return fly(node, readOptions(), written); }, &message);
+      "experiment", [&] { return fly(node, readOptions(), written, message); }, &message);
   if (!status.empty()) {
     const nlohmann::ordered_json answer = {
         {"exit_code", code}, {"message", message}, {"results", written}};

@@ -20,28 +20,14 @@ namespace {
 using quad_support::EnvironmentError;
 
 quad_sim::Measurement toMeasurement(const nav_msgs::Odometry& odometry,
-                                    const mav_msgs::Actuators& motor_speed) {
+                                    const mav_msgs::Actuators& motor_speed,
+                                    const std::string& message) {
   quad_sim::Measurement m;
   m.odometry = quad_sim::fromMsg(odometry);
   for (const double speed : motor_speed.angular_velocities)
     m.rotor_speed.push_back(std::abs(speed));
+  m.ground_contact_ns = quad_sim::groundContactTime(message);
   return m;
-}
-
-template <class Service>
-void ask(ros::ServiceClient& client, Service& service) {
-  if (!client.call(service)) {
-    quad_support::throwIfInterrupted();
-    throw EnvironmentError(
-        fmt::format("{} does not answer: its node was lost", client.getService()));
-  }
-  if (!service.response.success) {
-    quad_support::throwIfInterrupted();
-    const std::string text = fmt::format("{}: {}", client.getService(), service.response.message);
-    if (text.find("simulation failed: ") != std::string::npos)
-      throw quad_support::SimulationError(text);
-    throw EnvironmentError(text);
-  }
 }
 
 template <class Service>
@@ -60,6 +46,26 @@ ros::ServiceClient connect(ros::NodeHandle& node, const std::string& name,
 }
 
 }  // namespace
+
+template <class Service>
+void RosPlant::ask(ros::ServiceClient& client, Service& service) {
+  // The one who is asked waits at most `timeout` for others; what it needs itself comes on top.
+  const double limit = options_.timeout + 1.5;
+  bool late = false;
+  if (!answers_.call(client, service, limit, late)) {
+    quad_support::throwIfInterrupted();
+    throw EnvironmentError(
+        late ? fmt::format("{} did not answer within {} s: its node, or one it waits for, hangs",
+                           client.getService(), limit)
+             : fmt::format("{} does not answer: its node was lost", client.getService()));
+  }
+  if (service.response.success) return;
+  quad_support::throwIfInterrupted();
+  const std::string text = fmt::format("{}: {}", client.getService(), service.response.message);
+  if (text.find("simulation failed: ") != std::string::npos)
+    throw quad_support::SimulationError(text);
+  throw EnvironmentError(text);
+}
 
 RosPlant::RosPlant(ros::NodeHandle& node, const RosPlantOptions& options, double start_timeout)
     : options_(options) {
@@ -93,7 +99,7 @@ quad_sim::Measurement RosPlant::begin(const quad_control::FlightPlan& plan) {
   ask(begin_, begin);
   started_ = std::chrono::steady_clock::now();
   timing_.clear();
-  return toMeasurement(begin.response.odometry, begin.response.motor_speed);
+  return toMeasurement(begin.response.odometry, begin.response.motor_speed, begin.response.message);
 }
 
 quad_sim::Measurement RosPlant::advance(const Interval& interval) {
@@ -107,7 +113,7 @@ quad_sim::Measurement RosPlant::advance(const Interval& interval) {
         {call.response.wait, call.response.service_delay, call.response.estimated_service_delay});
   }
   pace(quad_sim::simulatedTime(call.response.odometry.header.stamp));
-  return toMeasurement(call.response.odometry, call.response.motor_speed);
+  return toMeasurement(call.response.odometry, call.response.motor_speed, call.response.message);
 }
 
 std::vector<quad_control::ControlOutput> RosPlant::end() {

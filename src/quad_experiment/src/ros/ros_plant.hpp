@@ -6,6 +6,7 @@
 #include <chrono>
 #include <string>
 
+#include "answer_limit.hpp"
 #include "quad_experiment/plant.hpp"
 
 namespace quad_experiment {
@@ -14,7 +15,7 @@ struct RosPlantOptions {
   std::string time_manager;  ///< name of the time-manager node
   std::string controller;    ///< name of the controller node
   std::string mode;          ///< lockstep or wallclock: what the time manager has to say of itself
-  double timeout = 3.0;      ///< [s] wall time a node may take for an answer
+  double timeout = 3.0;      ///< [s] wall time the controller may take for a command
   double rate = 0.0;  ///< simulated seconds per second of wall time at most; 0: as fast as possible
 };
 
@@ -32,9 +33,12 @@ class RosPlant : public Plant {
   std::vector<IntervalTiming> timing() const override { return timing_; }
 
  private:
+  template <class Service>
+  void ask(ros::ServiceClient& client, Service& service);
   void pace(std::int64_t time_ns);
 
   RosPlantOptions options_;
+  AnswerLimit answers_;
   ros::ServiceClient set_flight_plan_, flight_record_, begin_, advance_, end_;
   std::chrono::steady_clock::time_point started_;
   std::vector<IntervalTiming> timing_;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace quad_sim {
@@ -39,6 +40,7 @@ struct Odometry {
 struct Measurement {
   Odometry odometry;
   std::vector<double> rotor_speed;  ///< [rad/s], unsigned, by motor number
+  std::optional<std::int64_t> ground_contact_ns;  ///< when the vehicle first touched the ground, if it has
 };
 
 }  // namespace quad_sim

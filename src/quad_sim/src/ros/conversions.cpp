@@ -2,15 +2,19 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 
 #include "quad_support/errors.hpp"
+#include "quad_support/number_format.hpp"
 
 namespace quad_sim {
 namespace {
 
 constexpr std::int64_t kSecond = 1000000000;
+constexpr char kGroundContact[] = "ground contact at ";
 
 geometry_msgs::Vector3 toMsg(const Eigen::Vector3d& v) {
   geometry_msgs::Vector3 out;
@@ -89,6 +93,17 @@ std::vector<double> rotorSpeeds(const mav_msgs::Actuators& message, const Vehicl
   std::vector<double> out = message.angular_velocities;
   for (std::size_t i = 0; i < out.size(); ++i) out[i] *= model.rotors[i].spin;
   return out;
+}
+
+std::string groundContactMessage(const std::optional<std::int64_t>& time_ns) {
+  if (!time_ns) return "";
+  return kGroundContact + quad_support::shortest(static_cast<double>(*time_ns) * 1e-9) + " s";
+}
+
+std::optional<std::int64_t> groundContactTime(const std::string& message) {
+  const std::string prefix = kGroundContact;
+  if (message.compare(0, prefix.size(), prefix) != 0) return std::nullopt;
+  return std::llround(std::strtod(message.c_str() + prefix.size(), nullptr) * 1e9);
 }
 
 geometry_msgs::TransformStamped toTransform(const nav_msgs::Odometry& odometry) {

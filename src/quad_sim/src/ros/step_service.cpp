@@ -40,7 +40,7 @@ std::string StepService::groundMessage() {
     if (!contact) continue;
     if (!text.empty()) text += "; ";
     if (world_.vehicles().size() > 1) text += vehicle->name + ": ";
-    text += "ground contact at " + quad_support::shortest(static_cast<double>(*contact) * 1e-9) + " s";
+    text += groundContactMessage(contact);
   }
   return text;
 }

@@ -7,6 +7,7 @@
 #include <ros/time.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ mav_msgs::Actuators toMsg(const std::vector<double>& rotor_speed, const VehicleM
                           const std::string& frame);
 /// Unsigned speeds by motor number. @throws quad_support::DataError if the number of speeds is not that of the rotors
 std::vector<double> rotorSpeeds(const mav_msgs::Actuators& message, const VehicleModel& model);
+
+/// What Step's `message` says of the first ground contact [ns], and back; empty where there was none.
+std::string groundContactMessage(const std::optional<std::int64_t>& time_ns);
+std::optional<std::int64_t> groundContactTime(const std::string& message);
 
 geometry_msgs::TransformStamped toTransform(const nav_msgs::Odometry& odometry);
 
