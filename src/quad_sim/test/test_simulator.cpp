@@ -4,6 +4,7 @@
 #include <ode/ode.h>
 
 #include <cmath>
+#include <thread>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -159,6 +160,23 @@ TEST(Simulator, WorldsDoNotDisturbEachOther) {
     b.advance(1);
   }
   EXPECT_TRUE(alone.groundContact());
+  EXPECT_TRUE(sameBits(alone.state(), a.state()));
+  EXPECT_TRUE(sameBits(alone.state(), b.state()));
+}
+
+TEST(Simulator, WorldsInThreadsOfTheirOwnDoNotDisturbEachOtherEither) {
+  const VehicleModel m = hummingbird();
+  VehicleState tilted;
+  tilted.p_WB.z() = 0.2;
+  tilted.q_WB = Eigen::AngleAxisd(0.6, Vector3d(1, 0.5, 0).normalized());
+  tilted.rotor_speed.assign(4, 0.0);
+  constexpr int kSteps = 3000;  // most of them in contact, so that the threads meet there
+  Simulator alone(m, SimulatorOptions{}), a(m, SimulatorOptions{}), b(m, SimulatorOptions{});
+  for (Simulator* s : {&alone, &a, &b}) s->setStartState(tilted);
+  alone.advance(kSteps);
+  std::thread other([&] { a.advance(kSteps); });
+  b.advance(kSteps);
+  other.join();
   EXPECT_TRUE(sameBits(alone.state(), a.state()));
   EXPECT_TRUE(sameBits(alone.state(), b.state()));
 }
