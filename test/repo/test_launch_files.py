@@ -49,8 +49,18 @@ class LaunchFiles(unittest.TestCase):
         self.assertTrue(os.path.isfile(found["/experiment/config"]))
         self.assertEqual((found["/experiment/mode"], found["/experiment/rate"], found["/experiment/force"]), ("", 0.0, False))
 
+    def test_waypoints(self):
+        found, folder = self.parameters("waypoints.launch", "file:=w.txt", "namespace:=bee", "real_time_factor:=2")
+        self.assertEqual(found["/bee/waypoints/file"], folder + "/w.txt")
+        self.assertIs(found["/gazebo/vehicles/bee/hover"], False)
+        self.assertEqual(found["/gazebo/real_time_factor"], 2.0)
+        self.assertEqual(found["/gazebo/config"], found["/bee/controller/config"])
+        self.assertTrue(os.path.isfile(found["/bee/controller/config"]))
+        found, _ = self.parameters("waypoints.launch")
+        self.assertTrue(os.path.isfile(found["/hummingbird/waypoints/file"]))
+
     def test_every_node_but_the_monitor_is_required(self):
-        for name in ("experiment.launch", "sim.launch", "headless/roscore.xml"):
+        for name in ("experiment.launch", "sim.launch", "waypoints.launch", "headless/roscore.xml"):
             nodes = list(ElementTree.parse(os.path.join(LAUNCH, name)).getroot().iter("node"))
             self.assertTrue(nodes)
             for node in nodes:

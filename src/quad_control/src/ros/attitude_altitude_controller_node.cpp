@@ -1,9 +1,11 @@
-// Node attitude_altitude_controller_node: odometry in, command/motor_speed out, its stamp copied. Parameter: ~config.
+// Node attitude_altitude_controller_node: odometry in, command/motor_speed out, its stamp copied. References by command/pose
+// and command/trajectory, or a flight plan by service. Parameter: ~config.
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/ros.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
 #include <exception>
+#include <optional>
 
 #include "conversions.hpp"
 #include "spin.hpp"
@@ -14,7 +16,10 @@ namespace {
 class ControllerNode {
  public:
   explicit ControllerNode(const NodeConfig& config)
-      : config_(config), controller_(config.vehicle, config.control), private_handle_("~") {
+      : config_(config),
+        controller_(config.vehicle, config.control),
+        samples_(config.control.sampling_period),
+        private_handle_("~") {
     motor_speed_pub_ = handle_.advertise<mav_msgs::Actuators>("command/motor_speed", 1, /*latch=*/true);
     input_pub_ = handle_.advertise<geometry_msgs::WrenchStamped>("control/u", 10);
     feedback_pub_ = handle_.advertise<geometry_msgs::WrenchStamped>("control/u_fb", 10);
@@ -29,8 +34,13 @@ class ControllerNode {
 
  private:
   void onOdometry(const nav_msgs::Odometry::ConstPtr& msg) {
+    const quad_sim::Odometry odometry = quad_sim::fromMsg(*msg);
+    if (trajectory_) follow(odometry.time_ns);
     if (!controller_.flying()) return;  // neither a plan nor a reference: nothing to fly to
-    const ControlOutput& out = controller_.update(quad_sim::fromMsg(*msg));
+    // A plan is flown sample by sample as the time management deals them; without one the samples are picked here, and
+    // in between the last command is answered again.
+    const bool sample = samples_.isSample(odometry.time_ns) || planned_;
+    const ControlOutput& out = sample || controller_.record().empty() ? controller_.update(odometry) : controller_.record().back();
     motor_speed_pub_.publish(toMsg(out.rotor_speed, msg->header.stamp));
     if (input_pub_.getNumSubscribers() == 0) return;
     input_pub_.publish(toMsg({out.thrust, out.tau_phi, out.tau_theta, out.tau_psi}, msg->header.stamp,
@@ -43,20 +53,20 @@ class ControllerNode {
         toMsg(controller_.mixer().controlInput(msg->angular_velocities), msg->header.stamp, msg->header.frame_id));
   }
 
-  void onPose(const geometry_msgs::PoseStamped::ConstPtr& msg) { moveTo(fromMsg(msg->pose)); }
+  void onPose(const geometry_msgs::PoseStamped::ConstPtr& msg) {
+    trajectory_.reset();
+    moveTo(fromMsg(msg->pose));
+  }
 
-  void onTrajectory(const trajectory_msgs::MultiDOFJointTrajectory::ConstPtr& msg) {
-    if (msg->points.empty() || msg->points.front().transforms.empty()) {
-      ROS_WARN("command/trajectory without a point: ignored");
-      return;
-    }
-    const geometry_msgs::Transform& target = msg->points.front().transforms.front();
-    geometry_msgs::Pose pose;
-    pose.position.x = target.translation.x;
-    pose.position.y = target.translation.y;
-    pose.position.z = target.translation.z;
-    pose.orientation = target.rotation;
-    moveTo(fromMsg(pose));
+  void onTrajectory(const trajectory_msgs::MultiDOFJointTrajectory::ConstPtr& msg) try {
+    trajectory_ = fromMsg(*msg);
+  } catch (const std::invalid_argument& e) {
+    ROS_ERROR("command/trajectory ignored: %s", e.what());
+  }
+
+  void follow(std::int64_t time_ns) {
+    const std::optional<References> references = trajectory_->at(time_ns);
+    if (references) moveTo(*references);
   }
 
   // Without a plan the vehicle's own mass is the feed-forward, and the hold goes on until there is one.
@@ -77,6 +87,8 @@ class ControllerNode {
   bool setFlightPlan(SetFlightPlan::Request& request, SetFlightPlan::Response& response) {
     try {
       controller_.begin(fromMsg(request, config_.gravity));
+      planned_ = true;
+      trajectory_.reset();
       response.success = true;
     } catch (const std::exception& e) {
       response.success = false;
@@ -94,6 +106,9 @@ class ControllerNode {
 
   NodeConfig config_;
   FlightController controller_;
+  SampleClock samples_;
+  bool planned_ = false;
+  std::optional<ReferenceTrajectory> trajectory_;
   ros::NodeHandle handle_, private_handle_;
   ros::Publisher motor_speed_pub_, input_pub_, feedback_pub_;
   ros::Subscriber odometry_sub_, rotor_speed_sub_, pose_sub_, trajectory_sub_;

@@ -3,10 +3,12 @@
 #include <ros/param.h>
 #include <ros/this_node.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "quad_sim/simulation_config.hpp"
 #include "quad_support/config_reader.hpp"
+#include "quad_support/errors.hpp"
 
 namespace quad_control {
 
@@ -14,6 +16,38 @@ References fromMsg(const geometry_msgs::Pose& pose) {
   const auto& q = pose.orientation;
   return {pose.position.x, pose.position.y, pose.position.z,
           rollPitchYaw(Eigen::Quaterniond(q.w, q.x, q.y, q.z)).z()};
+}
+
+ReferenceTrajectory fromMsg(const trajectory_msgs::MultiDOFJointTrajectory& message) {
+  std::vector<Waypoint> waypoints;
+  for (const auto& point : message.points) {
+    if (point.transforms.empty()) throw quad_support::ConfigError("trajectory: a point without transform");
+    geometry_msgs::Pose pose;
+    pose.position.x = point.transforms[0].translation.x;
+    pose.position.y = point.transforms[0].translation.y;
+    pose.position.z = point.transforms[0].translation.z;
+    pose.orientation = point.transforms[0].rotation;
+    waypoints.push_back({point.time_from_start.toNSec(), fromMsg(pose)});
+  }
+  return ReferenceTrajectory(std::move(waypoints));
+}
+
+trajectory_msgs::MultiDOFJointTrajectory toMsg(const std::vector<Waypoint>& waypoints) {
+  trajectory_msgs::MultiDOFJointTrajectory message;
+  message.joint_names = {"base_link"};
+  for (const Waypoint& waypoint : waypoints) {
+    const References& r = waypoint.references;
+    trajectory_msgs::MultiDOFJointTrajectoryPoint point;
+    point.time_from_start.fromNSec(waypoint.from_start_ns);
+    point.transforms.resize(1);
+    point.transforms[0].translation.x = r.x;
+    point.transforms[0].translation.y = r.y;
+    point.transforms[0].translation.z = r.z;
+    point.transforms[0].rotation.w = std::cos(r.yaw / 2);
+    point.transforms[0].rotation.z = std::sin(r.yaw / 2);
+    message.points.push_back(point);
+  }
+  return message;
 }
 
 FlightPlan fromMsg(const SetFlightPlan::Request& request, double gravity) {

@@ -6,6 +6,7 @@
 #include <mav_msgs/Actuators.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/time.h>
+#include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
 #include <cstdint>
 #include <string>
@@ -15,12 +16,18 @@
 #include "quad_control/SetFlightPlan.h"
 #include "quad_control/control_config.hpp"
 #include "quad_control/flight_controller.hpp"
+#include "quad_control/references.hpp"
 #include "quad_sim_ros/conversions.hpp"
 
 namespace quad_control {
 
 /// Position and heading of a pose; the heading is that of its z-y'-x'' angles.
 References fromMsg(const geometry_msgs::Pose& pose);
+
+/// The positions and headings of a trajectory's points, each from its time_from_start on; velocities and accelerations
+/// are not used. @throws quad_support::ConfigError for a point without transform and as ReferenceTrajectory
+ReferenceTrajectory fromMsg(const trajectory_msgs::MultiDOFJointTrajectory& message);
+trajectory_msgs::MultiDOFJointTrajectory toMsg(const std::vector<Waypoint>& waypoints);
 
 /// @param gravity  g of the configuration [m/s²]
 FlightPlan fromMsg(const SetFlightPlan::Request& request, double gravity);
