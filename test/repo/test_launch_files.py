@@ -33,11 +33,11 @@ class LaunchFiles(unittest.TestCase):
 
     def test_absolute_paths_and_values_arrive_unchanged(self):
         found, _ = self.parameters("experiment.launch", "config:=/c d/e.yaml", "out:=/results/true", "mode:=wallclock",
-                                   "rate:=2", "force:=true", "namespace:=bee", "status:=/s", "real_time_factor:=3")
+                                   "command_timeout:=7", "rate:=2", "force:=true", "namespace:=bee", "status:=/s", "real_time_factor:=3")
         self.assertTrue(found["/use_sim_time"])
         self.assertEqual({k.rpartition("/")[2]: v for k, v in found.items() if k.startswith("/experiment/")},
                          {"config": "/c d/e.yaml", "out": "/results/true", "mode": "wallclock", "rate": 2.0, "force": True,
-                          "status": "/s"})
+                          "status": "/s", "command_timeout": 7.0})
         self.assertEqual(found["/bee/attitude_altitude_controller/config"], "/c d/e.yaml")
         self.assertEqual(found["/time_manager/mode"], "wallclock")
         self.assertEqual({k.rpartition("/")[2]: v for k, v in found.items() if k.startswith("/gazebo/")},
