@@ -27,13 +27,15 @@ class Export(FlightCase):
         cls.shared = tempfile.mkdtemp(prefix="export test ")
         cls.addClassCleanup(shutil.rmtree, cls.shared, ignore_errors=True)
 
+    def smoke(self):
+        urdf = os.path.join(os.environ.get("QUAD_BUILD", os.path.join(ROOT, "build")), "urdf", "hummingbird.urdf")
+        return self.write("smoke.yaml", shipped("smoke.yaml", ("urdf: hummingbird.urdf", "urdf: '%s'" % urdf)))
+
     def exported(self, *formats):
         """A flown run, and the folder with these formats of it."""
         run = os.path.join(self.shared, "run")
         if not os.path.exists(run):
-            urdf = os.path.join(os.environ.get("QUAD_BUILD", os.path.join(ROOT, "build")), "urdf", "hummingbird.urdf")
-            config = self.write("smoke.yaml", shipped("smoke.yaml", ("urdf: hummingbird.urdf", "urdf: '%s'" % urdf)))
-            answer = self.in_process(config, run)
+            answer = self.in_process(self.smoke(), run)
             self.assertIn(answer.code, (0, 3), answer)
         answer = self.export(run, "--out", self.path("out"), *formats)
         self.assertEqual(answer.code, 0, answer)
@@ -100,6 +102,24 @@ class Export(FlightCase):
         schema = pyarrow.parquet.read_schema(path)
         self.assertEqual(schema.field("zdot").metadata[b"unit"], b"m/s")
         self.assertEqual(schema.metadata[b"config.yaml"], run.bytes("config.yaml"))
+
+    def test_a_batch_as_parquet(self):
+        import pandas
+        self.smoke()
+        self.write("spec.yaml", "base: smoke.yaml\nruns: 2\nseed: 1\nvary:\n  design.gamma_w: {grid: [4.0, 1e-6]}\n")
+        batch = self.path("batch")
+        answer = self.finish(self.start([EXPORT, "batch", "--spec", self.path("spec.yaml"), "--out", batch, "--workers", "1"]))
+        self.assertIn(answer.code, (0, 3), answer)
+        self.assertEqual(self.export(batch, "--parquet").code, 0)
+        table = pandas.read_parquet(os.path.join(batch, "export", "results.parquet"))
+        plain = pandas.read_csv(os.path.join(batch, "results.csv"), float_precision="round_trip")
+        self.assertEqual(list(table.columns), list(plain.columns))
+        self.assertEqual(list(table["status"]), list(plain["status"]))
+        for name in ("run", "design.gamma_e", "targeted.residual_energy"):
+            np.testing.assert_array_equal(table[name].to_numpy(dtype=float), plain[name].to_numpy(dtype=float), name)
+        refused = self.export(batch, "--bag")
+        self.assertEqual(refused.code, 2, refused)
+        self.assertIn("exports as --parquet only", refused.stderr)
 
     def test_plotjuggler(self):
         import pandas

@@ -27,11 +27,14 @@ double largestRatio(const Eigen::MatrixXd& closeness, const Eigen::MatrixXd& roo
   return -smallestEigenvalue(-symmetric);
 }
 
-void requireSymmetric(const Eigen::MatrixXd& D) {
+void requireCloseness(const Eigen::MatrixXd& D) {
   requireFinite(D, "D");
   const double asymmetry = (D - D.transpose()).cwiseAbs().maxCoeff();
   require(asymmetry <= 1e-12 * D.cwiseAbs().maxCoeff(),
           "D is not symmetric: entries differ by up to {}", asymmetry);
+  const double smallest = smallestEigenvalue(D);
+  require(smallest >= -1e-12 * D.cwiseAbs().maxCoeff(),
+          "D has the eigenvalue {}; it must be positive semidefinite", smallest);
 }
 
 }  // namespace
@@ -71,7 +74,7 @@ bool contains(const FeasibleSet& set, const Eigen::MatrixXd& Theta) {
 Eigen::MatrixXd fullCloseness(const Eigen::MatrixXd& closeness, int num_states,
                               int num_regressors) {
   const Eigen::Index n = num_states * num_regressors;
-  requireSymmetric(closeness);
+  requireCloseness(closeness);
   if (closeness.size() == 1) return closeness(0, 0) * identity(n);
   if (closeness.rows() == num_regressors)
     return Eigen::kroneckerProduct(closeness, identity(num_states)).eval();
@@ -84,6 +87,7 @@ Eigen::MatrixXd fullCloseness(const Eigen::MatrixXd& closeness, int num_states,
 double informationMargin(const FeasibleSet& set, const Eigen::MatrixXd& closeness) {
   const auto nx = static_cast<int>(set.center.rows()), n = static_cast<int>(set.center.cols());
   if (closeness.size() == 1) {
+    requireCloseness(closeness);
     const double lambda = closeness(0, 0);
     return lambda > 0.0 ? set.lambda_min_S / lambda : kInfinity;
   }
@@ -94,7 +98,7 @@ double informationMargin(const FeasibleSet& set, const Eigen::MatrixXd& closenes
 
 double largestRadius(const Eigen::MatrixXd& root, const Eigen::MatrixXd& closeness) {
   requireShape(closeness, root.cols(), root.cols(), "D");
-  requireSymmetric(closeness);
+  requireCloseness(closeness);
   const double ratio = largestRatio(closeness, root);
   return ratio > 0.0 ? 1.0 / ratio : kInfinity;
 }

@@ -248,6 +248,14 @@ TEST(SetMembership, RefusesWrongCloseness) {
   EXPECT_THROW(fullCloseness(Eigen::MatrixXd::Identity(2, 3), 2, 3), DataError);
 }
 
+TEST(SetMembership, RefusesAnIndefiniteCloseness) {
+  const Experiment data(8, 1.0);
+  const FeasibleSet set = feasibleSet(fitLeastSquares(data.X, data.U), 2.0);
+  EXPECT_THROW(explorationCondition(set, scalar(-1.0)), std::invalid_argument);
+  EXPECT_THROW(explorationCondition(set, Eigen::Vector3d(1, 1, -1e-3).asDiagonal()),
+               std::invalid_argument);
+}
+
 TEST(StructuredFit, WithNothingKnownItIsTheOrdinaryFit) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);

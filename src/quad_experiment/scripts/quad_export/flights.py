@@ -72,6 +72,19 @@ class Run:
         self.flights = [Flight(name, os.path.join(path, name, "trajectory.csv")) for name in names]
 
 
+class Batch:
+    """A finished batch: its merged table and its manifest."""
+
+    def __init__(self, path):
+        self.table = os.path.join(path, "results.csv")
+        with open(os.path.join(path, "manifest.json"), encoding="utf-8") as file:
+            self.manifest = file.read()
+
+    @staticmethod
+    def is_at(path):
+        return all(os.path.isfile(os.path.join(path, name)) for name in ("results.csv", "manifest.json"))
+
+
 def write_whole(path, fill):
     """fill(name of a file aside), then renamed: whole or not at all."""
     os.makedirs(os.path.dirname(path), exist_ok=True)
