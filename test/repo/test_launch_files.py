@@ -41,7 +41,7 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual(found["/bee/attitude_altitude_controller/config"], "/c d/e.yaml")
         self.assertEqual(found["/time_manager/mode"], "wallclock")
         self.assertEqual({k.rpartition("/")[2]: v for k, v in found.items() if k.startswith("/gazebo/")},
-                         {"config": "/c d/e.yaml", "odometry_every": 0, "paused": True, "real_time_factor": 3.0})
+                         {"config": "/c d/e.yaml", "publish_every": 0, "paused": True, "real_time_factor": 3.0})
 
     def test_defaults(self):
         found, _ = self.parameters("experiment.launch", "out:=/r")

@@ -1,4 +1,4 @@
-// The simulator node. Parameters: ~config, ~publish_every (or ~odometry_every), ~paused, ~vehicles, ~real_time_factor; see launch/sim.launch.
+// The simulator node. Parameters: ~config, ~publish_every, ~paused, ~vehicles, ~real_time_factor; see launch/sim.launch.
 #include <ros/ros.h>
 
 #include <chrono>
@@ -16,7 +16,7 @@ namespace {
 quad_sim::SimNodeOptions readOptions(const ros::NodeHandle& own, double step) {
   quad_sim::SimNodeOptions options;
   const int ten_milliseconds = static_cast<int>(std::max(1.0, std::round(0.01 / step)));
-  options.publish_every = own.param("publish_every", own.param("odometry_every", ten_milliseconds));
+  options.publish_every = own.param("publish_every", ten_milliseconds);
   options.real_time_factor = own.param("real_time_factor", 1.0);
   options.paused = own.param("paused", true);
   if (options.publish_every < 0) throw std::invalid_argument("~publish_every must be >= 0 physics steps");
