@@ -26,7 +26,7 @@ void requireFlying(const quad_sim::Measurement& now) {
   }
   if ((o.q_WB * Eigen::Vector3d::UnitZ()).z() < 0.0) {
     throw quad_support::SimulationError(fmt::format(
-        "the vehicle is upside down at {} s, having reached a vertical speed of {:.3g} m/s; the "
+        "the vehicle is upside down at {} s, at a speed of {:.3g} m/s; the "
         "control gains hold up to the speeds of docs/design/0002: weaken the signal, shorten the "
         "flight or derive gains for it",
         seconds(o.time_ns), o.v_WB_B.norm()));
