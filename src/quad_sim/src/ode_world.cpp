@@ -98,6 +98,18 @@ void checkContactSpeed(const Vector3d& v_W) {
       fmt::format("the body hits the ground at {} m/s", quad_support::shortest(v_W.norm())));
 }
 
+void coast(dBodyID body, const Vector3d& v_W, const Vector3d& w_W, double h) {
+  const dReal* p = dBodyGetPosition(body);
+  dBodySetPosition(body, p[0] + h * v_W.x(), p[1] + h * v_W.y(), p[2] + h * v_W.z());
+  const dReal* q = dBodyGetQuaternion(body);
+  const dVector3 w = {w_W.x(), w_W.y(), w_W.z()};
+  dQuaternion rate;
+  dDQfromW(rate, w, q);
+  const dQuaternion turned = {q[0] + h * rate[0], q[1] + h * rate[1], q[2] + h * rate[2],
+                              q[3] + h * rate[3]};
+  dBodySetQuaternion(body, turned);  // normalises, makes the matrix
+}
+
 Vector3d positionOf(dBodyID body) {
   const dReal* p = dBodyGetPosition(body);
   return Vector3d(p[0], p[1], p[2]);

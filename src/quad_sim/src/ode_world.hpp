@@ -43,6 +43,10 @@ struct OdeWorld {
   void quickStep(double h);
 };
 
+/// Moves a body that nothing touches and no joint holds for `h` [s] with a velocity [m/s] and a rate
+/// [rad/s], both in W: to the last bit what dWorldStep() does with it, without the search for
+/// islands, the arena and the jobs of a solver that has nothing to solve (docs/design/0009).
+void coast(dBodyID body, const Eigen::Vector3d& v_W, const Eigen::Vector3d& w_W, double h);
 Eigen::Vector3d positionOf(dBodyID body);
 Eigen::Matrix3d rotationOf(dBodyID body);
 void setPose(dGeomID geom, const Eigen::Vector3d& p, const Eigen::Matrix3d& R);

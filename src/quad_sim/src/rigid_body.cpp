@@ -190,10 +190,7 @@ void RigidBody::stepByMidpoint(const Matrix3d& R, const StepLoad& load) {
   Vector3d dv = R * (h_ / mass_ * (load.force_B + turn.cross(load.force_B)));
   dv.z() -= h_ * gravity_;
   const Vector3d v_mid = v_W_ + 0.5 * dv;
-  const Vector3d w_W = R * (stretch * w);
-  dBodySetLinearVel(ode_->body, v_mid.x(), v_mid.y(), v_mid.z());
-  dBodySetAngularVel(ode_->body, w_W.x(), w_W.y(), w_W.z());
-  dWorldStep(ode_->world, h_);
+  coast(ode_->body, v_mid, R * (stretch * w), h_);
   v_W_ += dv;
   L_W_ += R * (h_ * (load.torque_B + turn.cross(load.torque_B)));
   refreshBodyRates(load.momentum_end_B);
