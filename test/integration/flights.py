@@ -7,11 +7,15 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+sys.path.insert(0, os.path.join(ROOT, "test"))
+import marked_processes  # noqa: E402
+
 DEVEL = os.environ.get("QUAD_DEVEL") or os.path.join(ROOT, "build", "devel")
 RUNNER = os.path.join(ROOT, "scripts", "experiment")
 MARK = "QUAD_TEST_RUN"   # in the environment of everything a test starts
@@ -44,18 +48,8 @@ def shipped(name, *changes):
 
 
 def processes_with(mark):
-    """{process id: command line} of the living processes that carry the mark in their environment."""
-    found, entry_of = {}, ("%s=%s" % (MARK, mark)).encode()
-    for entry in filter(str.isdigit, os.listdir("/proc")):
-        try:
-            with open("/proc/%s/environ" % entry, "rb") as file:
-                if entry_of not in file.read().split(b"\0"):
-                    continue
-            with open("/proc/%s/cmdline" % entry, "rb") as file:
-                found[int(entry)] = file.read().replace(b"\0", b" ").decode(errors="replace")
-        except OSError:
-            continue
-    return found
+    """Those that a test with this mark has started."""
+    return marked_processes.processes_with(MARK, mark)
 
 
 class Answer:

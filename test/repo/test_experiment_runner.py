@@ -7,12 +7,16 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
+sys.path.insert(0, os.path.dirname(HERE))
+import marked_processes  # noqa: E402
+
 PROGRAMS = ("quad_sim/quad_sim_node", "quad_control/attitude_altitude_controller_node",
             "quad_control/time_manager_node", "quad_experiment/quad_experiment_node", "quad_experiment/quad_experiment",
             "quad_experiment/monitor")
@@ -26,6 +30,7 @@ class Runner(unittest.TestCase):
         for folder in ("scripts", "pids", "tmp"):
             os.mkdir(self.path(folder))
         shutil.copy(os.path.join(ROOT, "scripts", "experiment"), self.path("scripts/experiment"))
+        shutil.copytree(os.path.join(ROOT, "scripts", "quad_runner"), self.path("scripts/quad_runner"))
         shutil.copytree(os.path.join(ROOT, "launch"), self.path("launch"))
         devel = self.path("build/devel")
         for program in PROGRAMS:
@@ -318,19 +323,8 @@ class Runner(unittest.TestCase):
 
 
 def processes_with(folder):
-    """{process id: command line} of all living processes that carry FAKE_PIDS=folder in their environment."""
-    found, end = {}, ("FAKE_PIDS=" + folder).encode()
-    for entry in os.listdir("/proc"):
-        if entry.isdigit():
-            try:
-                with open("/proc/%s/environ" % entry, "rb") as file:
-                    if end not in file.read().split(b"\0"):
-                        continue
-                with open("/proc/%s/cmdline" % entry, "rb") as file:
-                    found[int(entry)] = file.read().replace(b"\0", b" ").decode(errors="replace")
-            except OSError:
-                continue
-    return found
+    """All that the runner of this test has started."""
+    return marked_processes.processes_with("FAKE_PIDS", folder)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,1 @@
+"""The headless runner scripts/experiment, an idea a file."""
