@@ -70,6 +70,30 @@ class Export(FlightCase):
             for i in range(4):
                 self.assertEqual(list(abs(measured[:, i])), list(self.column(run, flight, "w%d" % i)[:-1]))
 
+    def test_a_bag_in_the_programs_that_show_bags(self):
+        """rosbag's own; and rqt_bag, which Debian 12 lacks, by the calls through which it draws a timeline and scrolls along it."""
+        import rosbag
+        import rospy
+        import yaml
+        run, out = self.exported("--bag")
+        bag = os.path.join(out, "targeted.bag")
+        answer = self.finish(self.start(["/usr/bin/rosbag", "info", "--yaml", bag]))
+        self.assertEqual(answer.code, 0, answer)
+        info = yaml.safe_load(answer.stdout)
+        rows = len(run.rows("targeted/trajectory.csv"))
+        self.assertTrue(info["indexed"])
+        self.assertEqual({t["topic"]: t["messages"] for t in info["topics"]}["/hummingbird/motor_speed"], rows - 1)
+        answer = self.finish(self.start(["/usr/bin/rosbag", "check", bag]))   # every type as this workspace has it
+        self.assertEqual(answer.code, 0, answer)
+        with rosbag.Bag(bag) as opened:
+            start, end = rospy.Time.from_sec(opened.get_start_time()), rospy.Time.from_sec(opened.get_end_time())
+            for topic in opened.get_type_and_topic_info().topics:
+                entries = list(opened._get_entries(opened._get_connections(topic), start, end))
+                self.assertEqual(len(entries), opened.get_message_count(topic), topic)
+                middle = entries[len(entries) // 2]
+                seen = opened._read_message(middle.position)
+                self.assertEqual((seen.topic, seen.timestamp), (topic, middle.time))
+
     def test_mat(self):
         from scipy.io import loadmat
         run, out = self.exported("--mat")
