@@ -219,7 +219,7 @@ TEST_F(Surface, SavedStateContinuesBitForBitHereAndElsewhere) {
   std::string path;
   ASSERT_TRUE(ros::param::get("/gazebo/config", path));
   const quad_sim::SimulationConfig config = quad_sim::readSimulationConfig(path);
-  quad_sim::Simulator twin = quad_sim::makeSimulator(config, quad_sim::loadVehicle(config));
+  quad_sim::Simulator twin = quad_sim::makeSimulator(config, config.model);
   const auto firstVehicle = [](const std::string& world) {
     std::istringstream in(world);
     std::string line, text;

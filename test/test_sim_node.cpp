@@ -97,7 +97,7 @@ class SimNode : public testing::Test {
   /// The library at the node's start.
   static quad_sim::Simulator twin() {
     const quad_sim::SimulationConfig config = quad_sim::readSimulationConfig(configPath());
-    return quad_sim::makeSimulator(config, quad_sim::loadVehicle(config));
+    return quad_sim::makeSimulator(config, config.model);
   }
   static std::string configPath() {
     std::string path;

@@ -84,6 +84,15 @@ class SameBits(FlightCase):
     def test_smoke(self):
         self.assert_same(*self.both_ways(os.path.join(ROOT, "config", "smoke.yaml")))
 
+    def test_wind(self):
+        wind = "  wind: {speed: 4, gust_force: 0.5, gust_direction: [0, 0, 1], gust_start: 2, gust_duration: 1, " \
+               "turbulence_intensity: [1, 1, 0.5], turbulence_length: [50, 50, 20]}\n"
+        config = self.write("windy.yaml", shipped("smoke.yaml", ("timing:\n", wind + "timing:\n")))
+        alone, ros = self.both_ways(config)
+        self.assert_same(alone, ros)
+        calm = self.results(self.in_process(os.path.join(ROOT, "config", "smoke.yaml"), "calm"), "calm")
+        self.assertNotEqual(calm.hashes()["targeted"], alone.hashes()["targeted"])
+
     def test_another_seed_is_another_flight(self):
         """The comparison above is not one of two constants."""
         config = self.write("seed 2.yaml", shipped("smoke.yaml", ("\nseed: 1", "\nseed: 2")))

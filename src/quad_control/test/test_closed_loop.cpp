@@ -27,7 +27,7 @@ class Flight {
  public:
   explicit Flight(int latency_steps, bool position_loop = false)
       : config_(quad_sim::readSimulationConfig("../../config/thesis.yaml")),
-        model_(quad_sim::loadVehicle(config_)),
+        model_(config_.model),
         simulator_(quad_sim::makeSimulator(config_, model_)),
         controller_(model_, controlConfig(position_loop)),
         latency_(latency_steps) {

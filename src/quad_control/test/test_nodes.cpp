@@ -111,7 +111,7 @@ class Nodes : public testing::Test {
 
   static std::vector<Row> flyInProcess(int intervals) {
     const quad_sim::SimulationConfig config = quad_sim::readSimulationConfig(configPath());
-    const quad_sim::VehicleModel model = quad_sim::loadVehicle(config);
+    const quad_sim::VehicleModel model = config.model;
     quad_sim::Simulator simulator = quad_sim::makeSimulator(config, model);
     const auto control = quad_support::ConfigReader::fromFile(configPath()).section("control");
     FlightController controller(model, readControlConfig(control, 0.1));

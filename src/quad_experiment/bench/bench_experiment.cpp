@@ -59,13 +59,13 @@ int main(int argc, char** argv) {
   const ExperimentConfig& config = plan.config;
   const Middleware middleware(middlewareConfig(config), config.seed, kTargetedFlight);
   const FlightSpec spec = flightSpec(plan, plan.targeted_signal, middleware);
-  const quad_control::Mixer mixer(quad_control::rotorGeometry(plan.vehicle));
+  const quad_control::Mixer mixer(quad_control::rotorGeometry(plan.config.vehicle()));
   InProcessPlant plant(config);
   const Trajectory once = fly(plant, spec, middleware);
   const double step = config.simulation.options.step;
   const auto steps =
       std::llround(static_cast<double>(once.rows.back().state.odometry.time_ns) * 1e-9 / step);
-  BareWorld bare(plan.vehicle, step);
+  BareWorld bare(plan.config.vehicle(), step);
   double best_bare = HUGE_VAL, best_flight = HUGE_VAL, best_log = HUGE_VAL;
   for (int round = 0; round < kRounds; ++round) {
     Trajectory trajectory;

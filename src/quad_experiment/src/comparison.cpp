@@ -108,7 +108,7 @@ double informationOf(const ComparedSignal& signal) {
 Comparison compareSignals(const ExperimentConfig& config, int seeds,
                           const std::function<void(int, int)>& progress) {
   const ExperimentPlan plan = planExperiment(config);
-  const quad_control::Mixer mixer(quad_control::rotorGeometry(plan.vehicle));
+  const quad_control::Mixer mixer(quad_control::rotorGeometry(plan.config.vehicle()));
   InProcessPlant plant(config);
   Comparison comparison;
   comparison.gamma_w = config.design.gamma_w;

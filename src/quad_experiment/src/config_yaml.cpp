@@ -37,8 +37,9 @@ std::string escaped(const std::string& text) {
 
 const char* word(bool value) { return value ? "true" : "false"; }
 
-/// The two keys that may be left out, where they are not.
-std::string options(const quad_sim::SimulatorOptions& o) {
+/// The keys that may be left out, where they are not.
+std::string options(const quad_sim::SimulationConfig& simulation) {
+  const quad_sim::SimulatorOptions& o = simulation.options;
   std::string y, names;
   quad_sim::RotorsQuirks quirks = o.quirks;
   for (const std::string& name : quad_sim::RotorsQuirks::names()) {
@@ -46,7 +47,11 @@ std::string options(const quad_sim::SimulatorOptions& o) {
   }
   if (!names.empty()) y += "  quirks: [" + names + "]\n";
   if (o.seed != 0) y += fmt::format("  seed: {}  # of turbulence and sensors\n", o.seed);
-  return y;
+  if (!simulation.wind) return y;
+  std::vector<std::string> wind;
+  for (const auto& [key, values] : *simulation.wind)
+    wind.push_back(key + ": " + (values.size() == 1 ? shortest(values[0]) : list(values)));
+  return y + fmt::format("  wind: {{{}}}\n", fmt::join(wind, ", "));
 }
 
 std::string yaml(const ExperimentConfig& c, const std::string& urdf) {
@@ -62,7 +67,7 @@ std::string yaml(const ExperimentConfig& c, const std::string& urdf) {
       s.options.multibody == quad_sim::Multibody::kFolded ? "folded" : "hinged",
       s.options.profile == quad_sim::Profile::kDefault ? "default" : "rotors_compat",
       word(s.options.ground), shortest(s.initial_altitude));
-  y += options(s.options);
+  y += options(s);
   y += fmt::format(
       "timing:\n  sampling_period: {}  # [s]\n  mode: {}\n  forgetting_factor: {}\n  latency: {}  "
       "# [s]\n"

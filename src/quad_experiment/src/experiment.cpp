@@ -76,8 +76,7 @@ explore_opt::ExplorationProblem designProblem(const ExperimentConfig& config) {
 ExperimentPlan planExperiment(const ExperimentConfig& config, DesignMemory* designs) {
   ExperimentPlan plan;
   plan.config = config;
-  plan.vehicle = config.vehicle;
-  plan.knowledge = {{config.timing.sampling_period, plan.vehicle.mass},
+  plan.knowledge = {{config.timing.sampling_period, plan.config.vehicle().mass},
                     config.estimate.parameters,
                     config.simulation.options.gravity,
                     config.design.num_samples,
@@ -113,7 +112,7 @@ FlightSpec flightSpec(const ExperimentPlan& plan, const std::vector<double>& sig
   spec.plan.gravity = plan.knowledge.gravity;
   // The integral part carries what the feed-forward leaves, so that the hold begins in equilibrium.
   spec.plan.initial_altitude_effort = quad_control::equilibriumEffort(
-      plan.vehicle.mass, plan.knowledge.estimate.mass, plan.knowledge.gravity);
+      plan.config.vehicle().mass, plan.knowledge.estimate.mass, plan.knowledge.gravity);
   spec.plan.exploration_signal = signal;
   if (!signal.empty()) spec.plan.exploration_start_ns = explorationStart(config, middleware);
   spec.end_of_hold = config.control.hold_time;
@@ -125,7 +124,8 @@ FlightResult flyAndJudge(const ExperimentPlan& plan, Plant& plant, Flight flight
   const Middleware middleware(middlewareConfig(plan.config), plan.config.seed, flight);
   const std::vector<double>& signal =
       flight == kTargetedFlight ? plan.targeted_signal : plan.gaussian_signal;
-  const quad_control::Mixer mixer = quad_control::Mixer(quad_control::rotorGeometry(plan.vehicle));
+  const quad_control::Mixer mixer =
+      quad_control::Mixer(quad_control::rotorGeometry(plan.config.vehicle()));
   const double feedforward = plan.knowledge.feedforward();
   const auto begin = std::chrono::steady_clock::now();
   FlightResult result;
@@ -167,9 +167,9 @@ FlightResult flyOne(const ExperimentPlan& plan, Plant& plant, Flight flight, Rec
                     const FlightProgress& progress) {
   FlightResult flown = flyAndJudge(plan, plant, flight, progress);
   if (record == Record::kCsv) {
-    flown.csv =
-        toCsv(flown.trajectory, quad_control::Mixer(quad_control::rotorGeometry(plan.vehicle)),
-              plan.knowledge.feedforward());
+    flown.csv = toCsv(flown.trajectory,
+                      quad_control::Mixer(quad_control::rotorGeometry(plan.config.vehicle())),
+                      plan.knowledge.feedforward());
   }
   return flown;
 }

@@ -79,21 +79,19 @@ DesignConfig readDesign(const ConfigReader& in) {
   return c;
 }
 
-/// The vehicle, once it is known that it can hover and be controlled.
-quad_sim::VehicleModel loadFlyable(const quad_sim::SimulationConfig& simulation) {
-  const quad_sim::VehicleModel vehicle = quad_sim::loadVehicle(simulation);
+/// Complains about a vehicle that cannot hover or be controlled.
+void requireFlyable(const quad_sim::SimulationConfig& simulation) {
   try {
-    quad_sim::hoverSpeed(vehicle, simulation.options.gravity);
-    quad_control::Mixer(quad_control::rotorGeometry(vehicle));
+    quad_sim::hoverSpeed(simulation.model, simulation.options.gravity);
+    quad_control::Mixer(quad_control::rotorGeometry(simulation.model));
   } catch (const std::invalid_argument& e) {
     throw quad_support::ConfigError(simulation.urdf + ": " + e.what());
   }
-  return vehicle;
 }
 
 /// What the controllers would refuse when the flight begins, said where the settings are.
 void requireFlight(const ConfigReader& in, const ExperimentConfig& c) {
-  const quad_sim::VehicleModel& vehicle = c.vehicle;
+  const quad_sim::VehicleModel& vehicle = c.vehicle();
   const double gravity = c.simulation.options.gravity;
   if (!(gravity > 0.0))
     in.section("simulation")
@@ -135,8 +133,8 @@ ExperimentConfig readExperimentConfig(const ConfigReader& in, const std::string&
   if (c.timing.mode == quad_control::TimingMode::kWallclock)
     c.timing.latency = c.timing.jitter_std = 0.0;
   c.control = quad_control::readControlConfig(in.section("control"), c.timing.sampling_period);
-  c.vehicle = loadFlyable(c.simulation);
-  c.estimate = readEstimate(in.section("estimate"), {c.timing.sampling_period, c.vehicle.mass});
+  requireFlyable(c.simulation);
+  c.estimate = readEstimate(in.section("estimate"), {c.timing.sampling_period, c.vehicle().mass});
   requireFlight(in, c);
   c.design = readDesign(in.section("design"));
   for (const auto& signal : in.choices("comparison", {"gaussian"})) {
@@ -146,6 +144,21 @@ ExperimentConfig readExperimentConfig(const ConfigReader& in, const std::string&
   c.seed = static_cast<std::uint64_t>(in.integer("seed", 0, kMaxSeed));
   in.finish();
   return c;
+}
+
+std::vector<std::string> notes(const ExperimentConfig& config) {
+  std::vector<std::string> notes = config.vehicle().notes;
+  const double step = config.simulation.options.step, latency = config.timing.latency;
+  const double flown = std::round(latency / step) * step;
+  // A decimal fraction such as 0.045 is a whole number of steps up to rounding.
+  if (std::abs(flown - latency) > 1e-9 * step) {
+    notes.push_back(
+        fmt::format("timing.latency = {} s is flown as {:.9g} s, a whole number of "
+                    "simulation.step = {} s: {:.3g} ms {}",
+                    latency, flown, step, 1e3 * std::abs(flown - latency),
+                    flown > latency ? "more" : "less"));
+  }
+  return notes;
 }
 
 MiddlewareConfig middlewareConfig(const ExperimentConfig& config) {

@@ -5,8 +5,8 @@
 namespace quad_experiment {
 
 InProcessPlant::InProcessPlant(const ExperimentConfig& config)
-    : simulator_(quad_sim::makeSimulator(config.simulation, config.vehicle)),
-      controller_(config.vehicle, config.control) {}
+    : simulator_(quad_sim::makeSimulator(config.simulation, config.vehicle())),
+      controller_(config.vehicle(), config.control) {}
 
 quad_sim::Measurement InProcessPlant::begin(const quad_control::FlightPlan& plan) {
   controller_.begin(plan);

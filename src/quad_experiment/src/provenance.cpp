@@ -47,6 +47,8 @@ nlohmann::ordered_json provenanceJson(const ExperimentPlan& plan, const std::str
                                          EIGEN_MINOR_VERSION)},
                    {"ode", kOdeVersion},
                    {"ipopt", kIpoptVersion}};
+  const std::vector<std::string> told = notes(plan.config);
+  if (!told.empty()) j["notes"] = told;
   return j;
 }
 

@@ -57,7 +57,7 @@ Json linesPart(const explore_opt::AltitudeParameters& model) {
 /// What only a simulation knows: the flown vehicle.
 Json truthPart(const ExperimentPlan& plan) {
   Json max_speed = Json::array();
-  for (const auto& rotor : plan.vehicle.rotors) max_speed.push_back(rotor.max_speed);
+  for (const auto& rotor : plan.config.vehicle().rotors) max_speed.push_back(rotor.max_speed);
   return {{"dT", plan.knowledge.truth.sampling_period},
           {"m", plan.knowledge.truth.mass},
           {"max_rotor_speed", max_speed}};

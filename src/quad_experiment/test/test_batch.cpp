@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -211,6 +212,43 @@ TEST(BatchRow, FailuresAreRows) {
   EXPECT_EQ(statusOf("  design.gamma_w: 1e-3\n"), "falsified 3");
 }
 
+// Each of them reaches the flight or the design: the numbers of its two rows differ. There is some
+// wind, so that the controllers have something to hold against.
+TEST(BatchRow, WhatAStudyVaries) {
+  const auto numbersOf = [](const std::string& vary) {
+    const BatchSpec spec = SpecFile(
+                               "seed: 1\nruns: 1\nset: {simulation.wind: {force: 0.1, direction: "
+                               "[0, 0, 1]}}\nvary:\n  " +
+                               vary)
+                               .read();
+    DesignMemory designs;
+    std::array<std::string, 2> numbers;
+    for (int run = 0; run < 2; ++run) {
+      const auto cells = splitBatchRow(flyBatchRun(spec, run, designs));
+      for (std::size_t i = 2; i < cells.size(); ++i)
+        numbers[static_cast<std::size_t>(run)] += cells[i] + ",";
+    }
+    return numbers;
+  };
+  for (const char* vary :
+       {"vehicle.mass: {grid: [0.73, 0.74]}", "estimate.mass: {grid: [0.70, 0.71]}",
+        "seed: {grid: [1, 2]}", "timing.latency: {grid: [0.02, 0.045]}",
+        "timing.jitter_std: {grid: [0.002, 0.005]}", "design.gamma_w: {grid: [4, 5]}",
+        "design.desired_closeness: {grid: [10, 12]}",
+        "simulation.initial_altitude: {grid: [5000, 5001]}",
+        "simulation.wind.force: {grid: [0.1, 0.2]}",
+        "simulation.wind: {grid: [{}, {gust_force: 0.5, gust_direction: [0, 0, 1], gust_start: "
+        "2, gust_duration: 1}]}",
+        "simulation.wind: {grid: [{speed: 2}, {speed: 4}]}",
+        "control.altitude: {grid: [[2.4, 0.7, 2.4, 0.6], [2, 0.5, 2, 0.5]]}",
+        "control.altitude[0]: {grid: [2.4, 2.0]}", "design.method: {grid: [global, mm]}"}) {
+    const auto numbers = numbersOf(vary + std::string("\n"));
+    EXPECT_NE(numbers[0], numbers[1]) << vary;
+    EXPECT_EQ(numbers[0].find("bad_input"), std::string::npos) << vary;
+    EXPECT_EQ(numbers[1].find("bad_input"), std::string::npos) << vary;
+  }
+}
+
 TEST(BatchRow, ADrawThatIsNoExperimentIsARow) {
   const BatchSpec spec =
       SpecFile("seed: 1\nruns: 1\nvary:\n  design.gamma_w: {grid: [4, -1]}\n").read();
@@ -339,7 +377,7 @@ TEST(Determinism, ExactRepeatsInOneProcessGiveOneHash) {
   const int repeats = std::getenv("QUAD_LONG_TESTS") ? 1000 : 5;
   const ExperimentConfig config = readExperimentConfig("config/exact.yaml");
   const ExperimentPlan plan = planExperiment(config);
-  const quad_control::Mixer mixer(quad_control::rotorGeometry(plan.vehicle));
+  const quad_control::Mixer mixer(quad_control::rotorGeometry(plan.config.vehicle()));
   std::set<std::string> hashes;
   InProcessPlant kept(config);
   for (int i = 0; i < repeats; ++i) {

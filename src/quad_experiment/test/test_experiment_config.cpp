@@ -54,9 +54,28 @@ TEST(ExperimentConfig,
   }
 }
 
-TEST(ExperimentConfig, ResolvedYamlReadsBackToTheSameConfiguration) {
-  const ExperimentConfig config = readExperimentConfig("config/thesis.yaml");
+TEST(ExperimentConfig, ALatencyBetweenStepsIsNoted) {
+  EXPECT_EQ(notes(readExperimentConfig("config/thesis.yaml")), std::vector<std::string>());
   const Scratch scratch;
+  quad_support::writeFileAtomically(
+      scratch.path("c.yaml"),
+      shippedConfig("thesis.yaml", {{"latency: 0.045", "latency: 0.0453"}}));
+  const ExperimentConfig config = readExperimentConfig(scratch.path("c.yaml"));
+  EXPECT_EQ(notes(config), std::vector<std::string>(
+                               {"timing.latency = 0.0453 s is flown as 0.045 s, a whole number of "
+                                "simulation.step = 0.001 s: 0.3 ms less"}));
+  EXPECT_EQ(Middleware(middlewareConfig(config), 1, 0).interval(0).hold_steps, 45);
+}
+
+TEST(ExperimentConfig, ResolvedYamlReadsBackToTheSameConfiguration) {
+  const Scratch scratch;
+  quad_support::writeFileAtomically(
+      scratch.path("windy.yaml"),
+      shippedConfig(
+          "thesis.yaml",
+          {{"ground: true", "ground: true\n  wind: {speed: 0.1, direction: [0.6, 0, -0.8]}"}}));
+  const ExperimentConfig config = readExperimentConfig(scratch.path("windy.yaml"));
+  EXPECT_NE(configHash(config), configHash(readExperimentConfig("config/thesis.yaml")));
   quad_support::writeFileAtomically(scratch.path("c.yaml"), toYaml(config));
   const ExperimentConfig again = readExperimentConfig(scratch.path("c.yaml"));
   EXPECT_EQ(toYaml(again), toYaml(config));

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "wind_config.hpp"
+
 namespace quad_sim {
 namespace {
 
@@ -59,18 +61,19 @@ void readSimulation(const ConfigReader& in, SimulationConfig& config) {
   }
   if (in.has("seed")) o.seed = static_cast<std::uint64_t>(in.number("seed", Range::closed(0, 4294967295.0, "")));
   o.ground = in.boolean("ground");
+  config.wind = readWind(in);
   config.initial_altitude = in.number("initial_altitude", Range::any("m"));
   if (o.ground && config.initial_altitude < 0) in.fail("initial_altitude", "must be >= 0 m above the ground");
   in.finish();
 }
 
 /// Complains about vehicle.mass where it, and not the URDF, keeps the vehicle from hovering.
-void checkMass(const ConfigReader& vehicle, const SimulationConfig& config) {
-  hoverSpeed(loadVehicle(config.urdf), 0.0);  // what is wrong with the URDF itself is said here
-  if (!config.mass) return;
+void readModel(const ConfigReader& vehicle, SimulationConfig& config) {
   try {
-    hoverSpeed(loadVehicle(config), config.options.gravity);
+    config.model = loadVehicle(config);
+    hoverSpeed(config.model, config.mass ? config.options.gravity : 0.0);
   } catch (const std::invalid_argument& e) {
+    hoverSpeed(loadVehicle(config.urdf), 0.0);  // what is wrong with the URDF itself is said here
     vehicle.fail("mass", e.what());
   }
 }
@@ -98,7 +101,7 @@ SimulationConfig readSimulationConfig(const ConfigReader& vehicle, const ConfigR
   SimulationConfig config;
   readVehicle(vehicle, config);
   readSimulation(simulation, config);
-  checkMass(vehicle, config);
+  readModel(vehicle, config);
   return config;
 }
 
@@ -107,7 +110,11 @@ SimulationConfig readSimulationConfig(const std::string& yaml_path) {
   return readSimulationConfig(file.section("vehicle"), file.section("simulation"));
 }
 
-VehicleModel loadVehicle(const SimulationConfig& config) { return loadVehicle(config.urdf, config.mass); }
+VehicleModel loadVehicle(const SimulationConfig& config) {
+  VehicleModel model = loadVehicle(config.urdf, config.mass);
+  if (config.wind) putWind(*config.wind, model);
+  return model;
+}
 
 Simulator makeSimulator(const SimulationConfig& config, const VehicleModel& model) {
   Simulator simulator(model, config.options);

@@ -1,6 +1,7 @@
 // The sections vehicle and simulation: every key, its limits and the text of the complaints.
 #include <gmock/gmock.h>
 
+#include "../src/wind_config.hpp"
 #include "hummingbird.hpp"
 #include "quad_support/errors.hpp"
 
@@ -57,7 +58,7 @@ TEST(SimulationConfig, ModesProfilesAndQuirks) {
 
 TEST(SimulationConfig, StartsInEquilibrium) {
   const SimulationConfig c = read(kGood);
-  const VehicleModel m = loadVehicle(c);
+  const VehicleModel& m = c.model;
   Simulator s = makeSimulator(c, m);
   EXPECT_EQ(m.mass, 0.73);
   EXPECT_EQ(s.state().p_WB, Eigen::Vector3d(0, 0, 5000));
@@ -78,6 +79,52 @@ TEST(SimulationConfig, ComplaintsNameLineKeyAndLimit) {
   EXPECT_THAT(says("initial_altitude: 5000.0", "initial_altitude: -1"), HasSubstr("initial_altitude = -1"));
   EXPECT_THAT(says("ground: true", "grund: true"), HasSubstr("simulation.ground is missing"));
   EXPECT_THAT(says("ground: true", "ground: true\n  sky: 1"), HasSubstr("simulation.sky"));
+}
+
+std::string withWind(const std::string& wind) { return replaced(kGood, "ground: true", "ground: true\n  wind: " + wind); }
+
+/// The state after a second in the air.
+VehicleState after(const SimulationConfig& c) {
+  Simulator s = makeSimulator(c, c.model);
+  s.advance(1000);
+  return s.state();
+}
+
+TEST(SimulationConfig, WindIsThatOfThePlugin) {
+  const std::string tags =
+      "<windDirection>0 1 0</windDirection><windForceMean>0.2</windForceMean><windSpeedMean>3</windSpeedMean>"
+      "<windGustForceMean>0.5</windGustForceMean><windGustStart>0.25</windGustStart><windGustDuration>0.5</windGustDuration>"
+      "<windSpeedAmplitude>1</windSpeedAmplitude><windFrequency>2</windFrequency><windPhase>0.1</windPhase>"
+      "<turbulenceIntensity>1 2 0.5</turbulenceIntensity><turbulenceLength>50 40 30</turbulenceLength>";
+  const SimulationConfig c =
+      read(withWind("{direction: [0, 1, 0], force: 0.2, speed: 3, gust_force: 0.5, gust_start: 0.25, gust_duration: 0.5, "
+                    "speed_amplitude: 1, frequency: 2, phase: 0.1, turbulence_intensity: [1, 2, 0.5], "
+                    "turbulence_length: [50, 40, 30]}"));
+  SimulationConfig declared = read(kGood);
+  declared.model = parseVehicle(
+      replaced(hummingbirdText(), "</robot>",
+               "<gazebo><plugin name=\"w\" filename=\"librotors_gazebo_wind_plugin.so\">" + tags + "</plugin></gazebo></robot>"),
+      "m.urdf", 0.73);
+  EXPECT_EQ(after(c).p_WB, after(declared).p_WB);
+  EXPECT_EQ(after(c).q_WB.coeffs(), after(declared).q_WB.coeffs());
+  EXPECT_NE(after(c).p_WB, after(read(kGood)).p_WB);
+
+  putWind(*c.wind, declared.model);  // a second time: replaced, not added
+  EXPECT_EQ(after(c).p_WB, after(declared).p_WB);
+  putWind({}, declared.model);
+  EXPECT_EQ(after(declared).p_WB, after(read(kGood)).p_WB);
+}
+
+TEST(SimulationConfig, ComplaintsAboutWind) {
+  const auto about = [](const std::string& wind) {
+    return complaint<quad_support::ConfigError>([&] { read(withWind(wind)); });
+  };
+  EXPECT_THAT(about("{force: 1e7}"), HasSubstr("c.yaml:10: simulation.wind.force = 1e7; must lie in [-1000000, 1000000] N"));
+  EXPECT_THAT(about("{forces: 1}"), HasSubstr("simulation.wind.forces"));
+  EXPECT_THAT(about("{direction: [0, 0, 0]}"), HasSubstr("simulation.wind.direction"));
+  EXPECT_THAT(about("{direction: [1, 0]}"), HasSubstr("simulation.wind.direction"));
+  EXPECT_THAT(about("{turbulence_intensity: [1, 1, 1], speed: 3}"), HasSubstr("needs turbulence_length"));
+  EXPECT_THAT(about("{turbulence_intensity: [1, 1, 1], turbulence_length: [9, 9, 9]}"), HasSubstr("needs turbulence_speed"));
 }
 
 TEST(SimulationConfig, AUrdfBesideTheFileComesFirst) {

@@ -102,7 +102,7 @@ NodeConfig readNodeConfig() {
   const auto file = quad_support::ConfigReader::fromFile(path);
   const quad_sim::SimulationConfig simulation = quad_sim::readSimulationConfig(path);
   NodeConfig config;
-  config.vehicle = quad_sim::loadVehicle(simulation);
+  config.vehicle = simulation.model;
   config.gravity = simulation.options.gravity;
   config.step = simulation.options.step;
   config.timing = readTimingConfig(file.section("timing"), config.step);

@@ -23,7 +23,6 @@ namespace quad_experiment {
 /// Everything fixed before the first flight.
 struct ExperimentPlan {
   ExperimentConfig config;
-  quad_sim::VehicleModel vehicle;
   Knowledge knowledge;
   InitialVerdict start;
   explore_opt::ExplorationProblem problem;

@@ -40,7 +40,6 @@ struct DesignConfig {
 };
 
 struct ExperimentConfig {
-  quad_sim::VehicleModel vehicle;         ///< as `simulation` describes it, read once
   quad_sim::SimulationConfig simulation;  ///< sections `vehicle` and `simulation`
   quad_control::TimingConfig timing;
   quad_control::ControlConfig control;
@@ -48,6 +47,8 @@ struct ExperimentConfig {
   DesignConfig design;
   bool fly_gaussian = false;  ///< comparison: [gaussian]
   std::uint64_t seed = 0;     ///< of jitter and random signals
+
+  const quad_sim::VehicleModel& vehicle() const { return simulation.model; }
 };
 
 /// Reads and checks the file. In wall-clock mode latency and jitter become 0: the middleware is the
@@ -59,6 +60,10 @@ ExperimentConfig readExperimentConfig(const std::string& path, const std::string
 /// The same from a file that has been opened, perhaps with some values replaced.
 ExperimentConfig readExperimentConfig(const quad_support::ConfigReader& in,
                                       const std::string& mode = "");
+
+/// What is flown a little differently than it is written: oddities of the vehicle taken as they
+/// stand, a latency that is no whole number of physics steps. Tell the user.
+std::vector<std::string> notes(const ExperimentConfig& config);
 
 /// Every value used, as YAML that reads back to the same configuration: the URDF's path is
 /// absolute, a drawn estimate stands as the numbers drawn.

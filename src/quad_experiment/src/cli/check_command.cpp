@@ -8,6 +8,7 @@ using namespace quad_experiment;
 
 int check(const CheckOptions& options) {
   const ExperimentConfig config = readExperimentConfig(options.config, options.mode);
+  tellNotes(config);
   InProcessPlant plant(config);  // rotors, inertia, allocation, options
   return quad_support::kDone;
 }

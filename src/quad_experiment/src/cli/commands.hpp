@@ -48,6 +48,12 @@ struct ExportOptions {
   bool bag = false, mat = false, parquet = false, plotjuggler = false;
 };
 
+namespace quad_experiment {
+struct ExperimentConfig;
+}
+/// Says on stderr what is flown a little differently than it is written.
+void tellNotes(const quad_experiment::ExperimentConfig& config);
+
 // All return an exit code and throw what quad_support::runProgram() understands.
 int run(const RunOptions& options);
 int check(const CheckOptions& options);

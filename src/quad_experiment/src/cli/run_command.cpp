@@ -35,6 +35,11 @@ class ProgressLine {
 
 }  // namespace
 
+void tellNotes(const ExperimentConfig& config) {
+  for (const std::string& note : notes(config))
+    std::fprintf(stderr, "quad_experiment: note: %s\n", note.c_str());
+}
+
 int run(const RunOptions& options) {
   const ExperimentConfig config = readExperimentConfig(options.config);
   if (config.timing.mode == quad_control::TimingMode::kWallclock) {
@@ -44,6 +49,7 @@ int run(const RunOptions& options) {
         "--config " +
         options.config + ", or set lockstep");
   }
+  tellNotes(config);
   quad_support::ResultDirectory results(options.out, options.force);
   InProcessPlant first(config), second(config);  // a world for each flight
   const ExperimentResult result =

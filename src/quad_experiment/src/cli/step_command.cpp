@@ -36,12 +36,12 @@ int step(const StepOptions& options) {
   results.write("config.yaml", toYaml(config));
   InProcessPlant plant(config);
   const Trajectory trajectory = fly(plant, spec, middleware);
-  const quad_control::Mixer mixer(quad_control::rotorGeometry(plan.vehicle));
+  const quad_control::Mixer mixer(quad_control::rotorGeometry(plan.config.vehicle()));
   results.write("trajectory.csv", toCsv(trajectory, mixer, plan.knowledge.feedforward()));
   results.commit();
 
   const TrajectoryRow& before_last = trajectory.rows.at(trajectory.rows.size() - 2);
-  const double weight = plan.vehicle.mass * plan.knowledge.gravity;
+  const double weight = plan.config.vehicle().mass * plan.knowledge.gravity;
   double overshoot = 0.0;
   for (const auto& row : trajectory.rows) {
     const double error =

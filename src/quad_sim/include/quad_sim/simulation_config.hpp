@@ -1,20 +1,27 @@
 /// The sections `vehicle` and `simulation` of an experiment's YAML file.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "quad_sim/simulator.hpp"
 #include "quad_support/config_reader.hpp"
 
 namespace quad_sim {
 
+/// The keys of simulation.wind that are given, with their one or three numbers (docs/forces.md).
+using WindConfig = std::map<std::string, std::vector<double>>;
+
 struct SimulationConfig {
   std::string urdf;                ///< path found by findUrdf()
   std::string vehicle_namespace;   ///< ROS names start with it
   std::optional<double> mass;      ///< total [kg]; nullopt keeps the URDF's
+  std::optional<WindConfig> wind;  ///< in place of the URDF's; nullopt keeps the URDF's
   SimulatorOptions options;
   double initial_altitude = 0;     ///< of base_link's origin [m]
+  VehicleModel model;              ///< loadVehicle() of the above
 };
 
 /// Reads and checks both sections; unknown keys are errors.
@@ -25,7 +32,7 @@ SimulationConfig readSimulationConfig(const quad_support::ConfigReader& vehicle,
 /// Reads the two sections of a file that may hold others.
 SimulationConfig readSimulationConfig(const std::string& yaml_path);
 
-/// loadVehicle() with the configured URDF and mass.
+/// Reads the configured URDF, with the configured mass and wind.
 VehicleModel loadVehicle(const SimulationConfig& config);
 
 /// A simulator at the configured start: equilibrium() at initial_altitude.

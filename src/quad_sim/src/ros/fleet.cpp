@@ -64,7 +64,8 @@ VehicleSpec specOf(const std::string& name, XmlRpcValue& value, const Simulation
   if (entry.has("mass")) spec.config.mass = entry.number("mass", 0);
   const double z = entry.number("z", usual.initial_altitude), yaw = entry.number("yaw", 0);
   if (usual.options.ground && z < 0) entry.fail("z", "must be >= 0 m above the ground");
-  spec.start = equilibrium(loadVehicle(spec.config), usual.options.gravity, z);
+  spec.config.model = loadVehicle(spec.config);
+  spec.start = equilibrium(spec.config.model, usual.options.gravity, z);
   spec.start.p_WB.head<2>() << entry.number("x", 0), entry.number("y", 0);
   spec.start.q_WB = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ());
   if (!entry.boolean("hover", true)) spec.start.rotor_speed.assign(spec.start.rotor_speed.size(), 0.0);
@@ -77,7 +78,7 @@ std::vector<VehicleSpec> readFleet(const ros::NodeHandle& own, const std::string
   const SimulationConfig usual = readSimulationConfig(config_path);
   XmlRpcValue vehicles;
   if (!own.getParam("vehicles", vehicles)) {
-    return {{usual, equilibrium(loadVehicle(usual), usual.options.gravity, usual.initial_altitude)}};
+    return {{usual, equilibrium(usual.model, usual.options.gravity, usual.initial_altitude)}};
   }
   if (vehicles.getType() != XmlRpcValue::TypeStruct || vehicles.size() == 0) {
     throw quad_support::ConfigError("parameter ~vehicles must be a map from namespace to {x, y, z, yaw, urdf, mass, hover}");

@@ -9,7 +9,7 @@ namespace quad_sim {
 namespace {
 
 Simulator simulatorOf(const VehicleSpec& spec) {
-  Simulator simulator(loadVehicle(spec.config), spec.config.options);
+  Simulator simulator(spec.config.model, spec.config.options);
   simulator.setStartState(spec.start);
   return simulator;
 }
