@@ -127,6 +127,6 @@ def bode(run):
     axis.plot([ours], [0], "o", color=style.TRUTH, markersize=3.5, label=r"$f_c = 1/(2\pi m)$ = %.4f Hz" % ours)
     axis.axhline(0, color=style.GREY, linewidth=0.6)
     axis.set(xlabel="f (Hz)", ylabel="magnitude (dB)", ylim=(-62, 42))
-    style.legend(axis, loc="lower left", fontsize=5.8)
+    style.legend(axis, loc="upper right", fontsize=5.8)
     return fig, ("Altitude model with the lines of the exploration, %s Hz. The crossover of the climb rate's response is where the "
                  "thesis puts its cut-off." % ", ".join("%.4f" % line for line in lines))

@@ -136,7 +136,7 @@ def ranking(run):
             height = value(verdict) if verdict["lambda_min_S"] is not None and verdict["error_norm"] is not None else np.nan
             axis.barh(i, height, height=0.62, color=colour, alpha=0.55 if hatch else 1.0, hatch=hatch, edgecolor="white", linewidth=0)
             axis.annotate("%.4g" % height, (height, i), (3, 0), textcoords="offset points", va="center", fontsize=6.5,
-                          bbox=dict(facecolor="white", edgecolor="none", pad=0.6, alpha=0.9))
+                          zorder=5, bbox=dict(facecolor="white", edgecolor="none", pad=0.6))
         axis.axvline(limit, color=style.TRUTH, linewidth=0.8, linestyle="--")
         axis.annotate(name, (limit, 1), (0, 2), xycoords=("data", "axes fraction"), textcoords="offset points", fontsize=6.5,
                       ha="center", va="bottom")
@@ -146,7 +146,8 @@ def ranking(run):
         axis.set_yticklabels([b[0] for b in bars] if axis is axes[0] else [])
         axis.grid(axis="y", visible=False)
     return fig, ("Signals of equal energy. Left: how well the data determine the model, per \u03b3_w; the design asks for %g. "
-                 "Middle: whether \u03b3_w was a bound at all. Right: the error, which only a simulation knows.%s" % (asked, words))
+                 "Middle: whether \u03b3_w was a bound at all. Right: the error, which only a simulation knows. Energies and errors sum entries of "
+                 "different units (m, m/s, s, m/N, …), as in the thesis.%s" % (asked, words))
 
 
 def among_seeds(run):

@@ -47,6 +47,7 @@ TEST(Experiment, FlightsInTurnAndAtOnceGiveTheSameBytes) {
   const ExperimentConfig config = readExperimentConfig("config/smoke.yaml");
   const ExperimentResult in_turn = runInProcess(config);
   const ExperimentResult at_once = runInProcess(config, nullptr, Flights::kAtOnce);
+  EXPECT_EQ(in_turn.exitCode(), 0) << in_turn.problem();  // a first look should not end in a no
   ASSERT_EQ(in_turn.flights.size(), 2u);
   ASSERT_EQ(at_once.flights.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
