@@ -15,12 +15,12 @@ import unittest
 from flights import DEVEL, ROOT, FlightCase, processes_with, program, shipped
 
 LONG = bool(os.environ.get("QUAD_LONG_TESTS"))
-RUNS = 60
+RUNS = 60   # with a hold of 10 s half a second of work: enough to be disturbed
 SPEC = """base: smoke.yaml
 runs: %d
 seed: 5
 set:
-  control.hold_time: 2.0
+  control.hold_time: 10.0
 vary:
   seed: {count: 1}
   vehicle.mass: {uniform: [0.7, 0.75]}
@@ -174,10 +174,14 @@ class Faults(BatchCase):
         self.signals(signal.SIGTERM, 143)
 
     def test_an_interruption_keeps_finished_runs(self):
-        process = self.start_batch("out", "--workers", "1", "--chunk", "1000")   # all in one chunk
-        time.sleep(0.5)
-        process.send_signal(signal.SIGTERM)
-        self.assertEqual(self.finish(process).code, 143)
+        self.write("spec.yaml", SPEC.replace("10.0", "200.0") % RUNS)   # seconds of work, all in one chunk
+        for seconds in (0.3, 0.6, 1.2, 2.4, 4.8):   # a loaded machine may not have finished a run at first
+            process = self.start_batch("out", "--workers", "1", "--chunk", "1000", "--force")
+            time.sleep(seconds)
+            process.send_signal(signal.SIGTERM)
+            self.assertEqual(self.finish(process).code, 143)
+            if os.path.isdir(self.path("out", "chunks")) and self.runs_written("out"):
+                break
         self.assertGreater(self.runs_written("out"), 0)
         self.assert_whole("out")
 

@@ -15,6 +15,8 @@ SLURM = os.path.join(ROOT, "scripts", "slurm_array")
 SPEC = """base: smoke.yaml
 runs: 40
 seed: 2
+set:
+  control.hold_time: 20.0   # long enough for a worker to be killed on the way
 vary:
   seed: {count: 1}
   vehicle.mass: {uniform: [0.7, 0.75]}

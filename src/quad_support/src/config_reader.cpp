@@ -41,6 +41,11 @@ namespace {
 
 int lineOf(const YAML::Node& node) { return node.Mark().line + 1; }
 
+/// "file:12"; what comes from elsewhere than the file's text has no line.
+std::string place(const std::string& file, int line) {
+  return line > 0 ? fmt::format("{}:{}", file, line) : file;
+}
+
 std::string describe(const Range& r) {
   const std::string unit = r.unit.empty() ? "" : " " + r.unit;
   if (std::isfinite(r.min) && std::isfinite(r.max)) {
@@ -164,7 +169,9 @@ void apply(const YAML::Node& root, const std::string& name, const Override& o) {
       at[step] = unmarked(parse(o.value, o.key));  // one the text could have had
       return;
     } else {
-      throw ConfigError(fmt::format("{} has no key {}", name, o.key));
+      throw ConfigError(fmt::format(
+          "{} has no key {}; if its section may be left out, set that one first, to {{}}", name,
+          o.key));
     }
   }
   at = unmarked(parse(o.value, o.key));
@@ -208,12 +215,12 @@ void ConfigReader::fail(const std::string& key, const std::string& problem, int 
   const std::string name = node_->prefix + key + (index >= 0 ? fmt::format("[{}]", index) : "");
   const auto it = node_->entries.find(key);
   if (it == node_->entries.end())
-    throw ConfigError(fmt::format("{}:{}: {} {}", node_->file, node_->line, name, problem));
+    throw ConfigError(fmt::format("{}: {} {}", place(node_->file, node_->line), name, problem));
   YAML::Node value = it->second;
   if (index >= 0) value.reset(value[static_cast<std::size_t>(index)]);
   const int line = value.IsNull() || lineOf(value) == 0 ? node_->lines.at(key) : lineOf(value);
   throw ConfigError(
-      fmt::format("{}:{}: {} = {}; {}", node_->file, line, name, valueText(value), problem));
+      fmt::format("{}: {} = {}; {}", place(node_->file, line), name, valueText(value), problem));
 }
 
 ConfigReader ConfigReader::section(const std::string& key) const {
@@ -370,8 +377,8 @@ void ConfigReader::finish() const {
   }
   if (unknown.empty()) return;
   const auto [line, key] = *std::min_element(unknown.begin(), unknown.end());
-  throw ConfigError(fmt::format("{}:{}: {}{} is not a key of this program; known here: {}",
-                                node_->file, line, node_->prefix, key,
+  throw ConfigError(fmt::format("{}: {}{} is not a key of this program; known here: {}",
+                                place(node_->file, line), node_->prefix, key,
                                 fmt::join(node_->asked, ", ")));
 }
 

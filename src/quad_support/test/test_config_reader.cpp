@@ -81,6 +81,10 @@ TEST(ConfigReader, OverridesReplaceValuesAndKeepTheirLines) {
   } catch (const quad_support::ConfigError& e) {
     EXPECT_STREQ(e.what(), "f.yaml:3: a.c[1] = -5; must be > 0 m");
   }
+  const auto stray = ConfigReader::fromText(text, "f.yaml", {{"a.stray", "7"}}).section("a");
+  EXPECT_EQ(messageOf([&] { stray.finish(); }), "f.yaml: a.stray is not a key of this program; known here: ");
+  EXPECT_EQ(messageOf([&] { stray.number("stray", Range::positive("m")), stray.number("stray", Range::closed(0, 1)); }),
+            "f.yaml: a.stray = 7; must lie in [0, 1]");
   for (const char* key : {"x.y", "a.x.y", "a.b.c", "a.c[3]", "a.c[-1]", "a.c.b", ""}) {
     EXPECT_THROW(ConfigReader::fromText(text, "f.yaml", {{key, "1"}}), quad_support::ConfigError) << key;
   }

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <functional>
 
@@ -176,9 +178,17 @@ void addExport(CLI::App& app, ExportOptions& o, std::function<int()>& chosen) {
   command->callback([&] { chosen = [&o] { return exportRun(o); }; });
 }
 
-}  // namespace
+/// What is wrong with the arguments, in a line.
+std::string problemOf(const CLI::App& app, const CLI::ParseError& e, int argc, char** argv) {
+  std::string problem = e.what();
+  if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1])) {
+    problem = fmt::format("{}: no such command; known:", argv[1]);
+    for (const CLI::App* known : app.get_subcommands({})) problem += " " + known->get_name();
+  }
+  return problem + " (quad_experiment --help tells more)";
+}
 
-int main(int argc, char** argv) {
+int parseAndRun(int argc, char** argv) {
   CLI::App app(
       "Flies targeted-exploration experiments in one process, without ROS, and says whether the "
       "promise was kept.");
@@ -200,7 +210,14 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? quad_support::kDone : quad_support::kBadInput;
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
+    throw quad_support::ConfigError(problemOf(app, e, argc, argv));
   }
-  return quad_support::runProgram("quad_experiment", chosen);
+  return chosen();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return quad_support::runProgram("quad_experiment", [&] { return parseAndRun(argc, argv); });
 }
