@@ -119,7 +119,7 @@ TEST(SimulationConfig, ComplaintsAboutWind) {
   const auto about = [](const std::string& wind) {
     return complaint<quad_support::ConfigError>([&] { read(withWind(wind)); });
   };
-  EXPECT_THAT(about("{force: 1e7}"), HasSubstr("c.yaml:10: simulation.wind.force = 1e7; must lie in [-1000000, 1000000] N"));
+  EXPECT_THAT(about("{force: 1e7}"), HasSubstr("c.yaml:11: simulation.wind.force = 1e7; must lie in [-1e+06, 1e+06] N"));
   EXPECT_THAT(about("{forces: 1}"), HasSubstr("simulation.wind.forces"));
   EXPECT_THAT(about("{direction: [0, 0, 0]}"), HasSubstr("simulation.wind.direction"));
   EXPECT_THAT(about("{direction: [1, 0]}"), HasSubstr("simulation.wind.direction"));

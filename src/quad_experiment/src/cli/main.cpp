@@ -180,11 +180,13 @@ void addExport(CLI::App& app, ExportOptions& o, std::function<int()>& chosen) {
 
 /// What is wrong with the arguments, in a line.
 std::string problemOf(const CLI::App& app, const CLI::ParseError& e, int argc, char** argv) {
-  std::string problem = e.what();
-  if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1])) {
-    problem = fmt::format("{}: no such command; known:", argv[1]);
-    for (const CLI::App* known : app.get_subcommands({})) problem += " " + known->get_name();
+  std::string problem = e.what(), known;
+  bool named = argc < 2 || argv[1][0] == '-';
+  for (const CLI::App* command : app.get_subcommands({})) {
+    named = named || command->get_name() == argv[1];
+    known += " " + command->get_name();
   }
+  if (!named) problem = fmt::format("{}: no such command; known:{}", argv[1], known);
   return problem + " (quad_experiment --help tells more)";
 }
 
