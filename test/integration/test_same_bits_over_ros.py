@@ -93,6 +93,14 @@ class SameBits(FlightCase):
         calm = self.results(self.in_process(os.path.join(ROOT, "config", "smoke.yaml"), "calm"), "calm")
         self.assertNotEqual(calm.hashes()["targeted"], alone.hashes()["targeted"])
 
+    def test_rotors_compat(self):
+        """With RotorS's quirks, whose stamps are a step ahead of the state they carry."""
+        config = self.write("compat.yaml", shipped("smoke.yaml", ("profile: default ", "profile: rotors_compat ")))
+        alone, ros = self.both_ways(config)
+        self.assert_same(alone, ros)
+        self.results(self.in_process(os.path.join(ROOT, "config", "smoke.yaml"), "default"), "default")
+        self.assertNotEqual(Results(self.path("default")).hashes(), ros.hashes())
+
     def test_another_seed_is_another_flight(self):
         """The comparison above is not one of two constants."""
         config = self.write("seed 2.yaml", shipped("smoke.yaml", ("\nseed: 1", "\nseed: 2")))

@@ -28,7 +28,9 @@ ONE_FILE_EACH = {
     "Ipopt": re.compile(r"(coin/|coin-or/)?Ip[A-Z]\w*\.hpp$"),
     "urdfdom": re.compile(r"urdf_(parser|model|world|exception|model_state|sensor)/"),
     "yaml-cpp": re.compile(r"yaml-cpp/"),
+    "rosbag": re.compile(r"rosbag/"),
 }
+PACKAGE_OF = {"rosbag/bag.h": "rosbag_storage"}  # where the folder does not say
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 MACHINE_PATH = re.compile(r"(?<![\w.}$)])/(?:home|root|work|Users|mnt|media)/[\w.]")
 DEPENDENCY_TAGS = ("depend", "build_depend", "build_export_depend", "exec_depend", "run_depend", "test_depend")
@@ -136,7 +138,7 @@ def dependencies_disagree(root):
         for name in sorted(components - declared):
             yield "%s: finds %s, which %s does not declare" % (cmake_path, name, manifest)
         for path, owner, header in includes(root):
-            used = header.split("/")[0]
+            used = PACKAGE_OF.get(header, header.split("/")[0])
             if owner != package or "/" not in header or used == package:
                 continue
             if (used in known or is_ros(header, generated)) and used != "ros" and used not in declared:

@@ -4,18 +4,20 @@
 // several, in turns: other work on the machine only adds time.
 #include <ode/ode.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <limits>
-#include <vector>
 
-#include "quad_sim/simulation_config.hpp"
+#include "flights.hpp"
 
 namespace {
 
-constexpr int kIntervals = 43, kStepsPerInterval = 100;
-constexpr double kStep = 0.001, kAltitude = 5000.0;
+using quad_sim::Multibody;
+using quad_sim::bench::Flight;
+using quad_sim::bench::kAltitude;
+using quad_sim::bench::kGravity;
+using quad_sim::bench::kStep;
+using quad_sim::bench::kStepsPerInterval;
+
+constexpr int kIntervals = 43;
 
 /// The vehicle's bodies on ODE's hinges.
 class OdeHinges {
@@ -23,7 +25,7 @@ class OdeHinges {
   OdeHinges(const quad_sim::VehicleModel& model, bool quick) : quick_(quick) {
     dInitODE2(0);
     world_ = dWorldCreate();
-    dWorldSetGravity(world_, 0, 0, -9.8);
+    dWorldSetGravity(world_, 0, 0, -kGravity);
     dWorldSetQuickStepNumIterations(world_, 50);
     double base_mass = model.mass;
     for (const quad_sim::RotorModel& rotor : model.rotors) base_mass -= rotor.mass;
@@ -67,58 +69,16 @@ class OdeHinges {
   dBodyID base_;
 };
 
-class Flight {
- public:
-  Flight(const quad_sim::VehicleModel& model, quad_sim::Multibody multibody)
-      : simulator_(model, options(multibody)) {
-    simulator_.setStartState(quad_sim::equilibrium(model, 9.8, kAltitude));
-    command_ = simulator_.command();
-    measurement_ = simulator_.measure();
-  }
-  void fly() {
-    simulator_.reset();
-    for (int i = 0; i < kIntervals; ++i) {
-      simulator_.setCommand(command_);
-      simulator_.advance(kStepsPerInterval);
-      simulator_.measure(measurement_);
-    }
-  }
-
- private:
-  static quad_sim::SimulatorOptions options(quad_sim::Multibody multibody) {
-    quad_sim::SimulatorOptions o;
-    o.step = kStep;
-    o.multibody = multibody;
-    return o;
-  }
-  quad_sim::Simulator simulator_;
-  std::vector<double> command_;
-  quad_sim::Measurement measurement_;
-};
-
-template <class Plant>
-double secondsOf(Plant& plant) {
-  const auto start = std::chrono::steady_clock::now();
-  plant.fly();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 int main() {
-  const quad_sim::VehicleModel model =
-      quad_sim::loadVehicle(quad_sim::findUrdf("hummingbird.urdf", ""));
+  const quad_sim::VehicleModel model = quad_sim::bench::hummingbird();
   OdeHinges quick(model, true), direct(model, false);
-  Flight hinged(model, quad_sim::Multibody::kHinged), folded(model, quad_sim::Multibody::kFolded);
+  Flight hinged(Multibody::kHinged, kIntervals), folded(Multibody::kFolded, kIntervals);
   constexpr int kRepetitions = 15;
-  double quick_s = std::numeric_limits<double>::infinity(), direct_s = quick_s, hinged_s = quick_s,
-         folded_s = quick_s;
-  for (int i = 0; i < kRepetitions; ++i) {
-    quick_s = std::min(quick_s, secondsOf(quick));
-    hinged_s = std::min(hinged_s, secondsOf(hinged));
-    direct_s = std::min(direct_s, secondsOf(direct));
-    folded_s = std::min(folded_s, secondsOf(folded));
-  }
+  const auto [quick_s, hinged_s, direct_s, folded_s] = quad_sim::bench::bestInTurns<4>(
+      {[&] { quick.fly(); }, [&] { hinged.fly(); }, [&] { direct.fly(); }, [&] { folded.fly(); }},
+      kRepetitions);
   constexpr double kMicroseconds = 1e6 / (kIntervals * kStepsPerInterval);
   std::printf(
       "a step: hinged %.2f us, folded %.2f us, ODE's hinges by its direct solver %.2f us, by "

@@ -32,6 +32,8 @@ class Body {
   /// @throws quad_support::SimulationError if the vehicle turns by more than a radian in the step
   virtual bool step(const StepLoad& load, const std::vector<double>& rotor_speed) = 0;
   virtual bool isFinite() const = 0;
+  /// What the ground put on the vehicle in the last step that touched it.
+  virtual Wrench groundLoad() const = 0;
 
   /// Place and motion of the rotors' own bodies; empty if they have none.
   virtual std::vector<RotorState> rotors() const { return {}; }

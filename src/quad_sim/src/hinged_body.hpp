@@ -40,6 +40,7 @@ class HingedBody : public Body {
   Eigen::Vector3d specificForce(const Eigen::Vector3d& r_C) const override;
   bool step(const StepLoad& load, const std::vector<double>& rotor_speed) override;
   bool isFinite() const override;
+  Wrench groundLoad() const override { return ground_load_; }
   std::vector<RotorState> rotors() const override;
 
  private:
@@ -56,6 +57,8 @@ class HingedBody : public Body {
   };
 
   Momentum momentum(const Eigen::Matrix3d& R) const;
+  /// Angular momentum about the vehicle's centre of mass instead of the base's.
+  Momentum aboutCentre(Momentum sum, const Eigen::Matrix3d& R) const;
   void addGyroscopicTorques(Momentum& sum, const Eigen::Matrix3d& R) const;
   void addImpulse(const StepLoad& load, const Eigen::Matrix3d& R, Momentum& sum) const;
   /// The velocities that have that momentum and leave each rotor only its motor's speed; `erp` of
@@ -96,6 +99,7 @@ class HingedBody : public Body {
   std::vector<CollisionBox> boxes_;  ///< relative to the base's centre of mass
   std::vector<Rotor> rotors_;
   Twist before_{};  ///< at the start of the last step
+  Wrench ground_load_;
   std::unique_ptr<OdeWorld> ode_;
 };
 

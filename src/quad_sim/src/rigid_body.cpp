@@ -98,7 +98,8 @@ void RigidBody::archive(StateArchive& archive) {
   archive(const_cast<dReal*>(dBodyGetQuaternion(ode_->body)), 4);
   archive(const_cast<dReal*>(dBodyGetRotation(ode_->body)), 12);
   for (Vector3d* v :
-       {&v_W_, &L_W_, &v_C_B_, &w_B_, &Pi_B_, &momentum_B_, &v_before_W_, &w_before_B_})
+       {&v_W_, &L_W_, &v_C_B_, &w_B_, &Pi_B_, &momentum_B_, &v_before_W_, &w_before_B_,
+        &ground_load_.force, &ground_load_.torque})
     archive(*v);
 }
 
@@ -226,8 +227,11 @@ void RigidBody::stepInContact(const Matrix3d& R, const StepLoad& load) {
   const dReal* v = dBodyGetLinearVel(ode_->body);
   const dReal* w = dBodyGetAngularVel(ode_->body);
   const Matrix3d R_end = ode_->R();
-  v_W_ = Vector3d(v[0], v[1], v[2]);
-  const Vector3d w_end_B = R_end.transpose() * Vector3d(w[0], w[1], w[2]);
+  const Vector3d v_end(v[0], v[1], v[2]), w_end_W(w[0], w[1], w[2]);
+  ground_load_ = {mass_ / h_ * (v_end - v_W_),
+                  R * (inertia_ * (R.transpose() * (w_end_W - w_W))) / h_};
+  v_W_ = v_end;
+  const Vector3d w_end_B = R_end.transpose() * w_end_W;
   L_W_ = R_end * (inertia_ * w_end_B + load.momentum_end_B);
   refreshBodyRates(load.momentum_end_B);
 }

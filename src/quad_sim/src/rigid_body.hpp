@@ -34,6 +34,7 @@ class RigidBody : public Body {
   Eigen::Vector3d specificForce(const Eigen::Vector3d& r_C) const override;
   bool step(const StepLoad& load, const std::vector<double>& rotor_speed) override;
   bool isFinite() const override;
+  Wrench groundLoad() const override { return ground_load_; }
 
  private:
   /// Rate [rad/s, body axes] of the step's rotation: w = I^-1 (Pi_mid - momentum), Pi_mid = Pi + a
@@ -61,6 +62,7 @@ class RigidBody : public Body {
       Pi_B_;  ///< velocity, rate and angular momentum of the same instant in body axes
   Eigen::Vector3d momentum_B_;               ///< of the turning parts, relative to the body
   Eigen::Vector3d v_before_W_, w_before_B_;  ///< at the start of the last step
+  Wrench ground_load_;
   std::unique_ptr<OdeWorld> ode_;
 };
 

@@ -243,6 +243,13 @@ void sumUp(const UrdfTree& tree, std::optional<double> total_mass, const std::st
   }
 }
 
+std::string jointTo(const std::string& link, const UrdfTree& tree) {
+  for (const JointRecord& joint : tree.joints) {
+    if (joint.child == link) return joint.name;
+  }
+  return "";
+}
+
 }  // namespace
 
 VehicleModel parseVehicle(const std::string& urdf_text, const std::string& name, std::optional<double> total_mass) {
@@ -260,7 +267,7 @@ VehicleModel parseVehicle(const std::string& urdf_text, const std::string& name,
   model.rotors = readRotors(model.plugins, tree, source);
   sumUp(tree, total_mass, name, model);
   for (const LinkRecord& link : tree.links) {
-    model.link_names.push_back(link.name);
+    model.links.push_back({link.name, jointTo(link.name, tree), link.on_base, link.mass, link.X_BL, link.com_L, link.inertia_L});
     if (!link.on_base) continue;
     for (const CollisionBox& box : link.boxes) {
       if (!(box.size.minCoeff() > 0)) source.fail("link", link.name, "a collision box has a side that is not > 0");

@@ -102,8 +102,13 @@ TEST(RotorsStyle, AsymmetricQuadrotorHasItsRotorsOnArms) {
 }
 
 TEST(RotorsStyle, PluginsWithoutEffectAreListedOnce) {
-  const VehicleModel m = styled(test::firefly());
-  EXPECT_THAT(ignoredPlugins(m), testing::Contains("librotors_gazebo_bag_plugin.so (rosbag)"));
+  test::StyleVehicle firefly = test::firefly();
+  for (const char* name : {"gps", "gps2"}) {
+    firefly.extra += fmt::format(
+        "<gazebo><plugin filename=\"librotors_gazebo_gps_plugin.so\" name=\"{}\"/></gazebo>", name);
+  }
+  const VehicleModel m = styled(firefly);
+  EXPECT_THAT(ignoredPlugins(m), testing::ElementsAre("librotors_gazebo_gps_plugin.so (gps, gps2)"));
   EXPECT_EQ(pluginRole(m.plugins[0]), PluginRole::kOutside);
 }
 

@@ -104,6 +104,21 @@ TEST_F(Program, WritesWhatTheLibraryDoes) {
   EXPECT_EQ(quad_support::readFile(path("o.csv")), replay(s, commands, 500, 100));
 }
 
+TEST_F(Program, ASeedPicksTheTurbulence) {
+  const std::string wind =
+      R"(<gazebo><plugin name="wind" filename="librotors_gazebo_wind_plugin.so"><windSpeedMean>5</windSpeedMean>
+         <turbulenceIntensity>1 1 1</turbulenceIntensity><turbulenceLength>50 50 50</turbulenceLength></plugin></gazebo></robot>)";
+  std::ofstream(path("gusty.urdf")) << replaced(hummingbirdText(), "</robot>", wind);
+  const auto states = [&](const std::string& seed) {
+    EXPECT_EQ(call("simulate --urdf " + path("gusty.urdf") + " --commands " + path("c.csv") + " --out " + path("o.csv") +
+                   " --duration 0.5 --every 100" + seed), 0) << errors();
+    return quad_support::readFile(path("o.csv"));
+  };
+  EXPECT_EQ(states(" --seed 7"), states(" --seed 7"));
+  EXPECT_EQ(states(" --seed 0"), states(""));
+  EXPECT_NE(states(" --seed 8"), states(" --seed 7"));
+}
+
 TEST_F(Program, PluginsWithoutEffectAreListedOnRequest) {
   std::ofstream(path("gps.urdf")) << replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "librotors_gazebo_gps_plugin.so");
   const std::string with_gps = "simulate --urdf " + path("gps.urdf") + " --commands " + path("c.csv") + " --out " + path("o.csv");

@@ -50,7 +50,8 @@ ros::ServiceClient connect(ros::NodeHandle& node, const std::string& name,
 template <class Service>
 void RosPlant::ask(ros::ServiceClient& client, Service& service) {
   // The one who is asked waits at most `timeout` for others; what it needs itself comes on top.
-  const double limit = options_.timeout + 1.5;
+  constexpr double kOwnWork = 1.5;  // [s] of wall time: an interval's physics and a busy machine
+  const double limit = options_.timeout + kOwnWork;
   bool late = false;
   if (!answers_.call(client, service, limit, late)) {
     quad_support::throwIfInterrupted();

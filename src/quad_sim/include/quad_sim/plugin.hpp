@@ -86,7 +86,7 @@ class Plugin {
 using MakePlugin = Plugin* (*)(const VehicleModel& model, const WorldSettings& world);
 
 /// Changes whenever a library must be compiled anew.
-constexpr int kPluginInterface = 2;
+constexpr int kPluginInterface = 3;
 
 /// A library outside this package becomes a force plugin by this line, outside any namespace;
 /// `Class` has a constructor (const VehicleModel&, const WorldSettings&). A vehicle asks for it by
@@ -104,7 +104,7 @@ enum class PluginRole {
   kForce,    ///< made by makePlugins()
   kSensor,   ///< read into VehicleModel::sensors
   kOutside,  ///< part of the simulator itself or of its ROS node (controller interface, multirotor
-             ///< base)
+             ///< base, bag)
   kIgnored,  ///< known and without effect in this version; VehicleModel users may tell
 };
 

@@ -94,6 +94,10 @@ class Simulator {
   void setWind(const Eigen::Vector3d& wind_W);
   /// Force of the wind plugin and the like during the last step [N], world axes.
   Eigen::Vector3d outsideForce() const;
+  /// A push from outside, held until the next; zero after reset(). Its axes are the world's, however the vehicle turns. @throws if not finite
+  void setPush(const Wrench& push);
+  /// What the ground put on the vehicle during the last step, of all contacts together; zero in the air.
+  Wrench groundLoad() const;
   Eigen::Vector3d wind() const;  ///< of the last step, all shares together [m/s], world axes
 
   /// Noise-free reading of an IMU: attitude and rate now, and specificForce().

@@ -19,6 +19,12 @@ struct VehicleState {
   std::vector<double> rotor_speed;  ///< [rad/s], >= 0 (but see RotorsQuirks::unchecked_commands), by motor number
 };
 
+/// A force and a torque, world axes.
+struct Wrench {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< about the vehicle's centre of mass [N m]
+};
+
 /// Place and motion of a rotor's own body, world axes.
 struct RotorState {
   Eigen::Vector3d p_WR;     ///< [m]

@@ -66,6 +66,17 @@ struct CollisionBox {
   Eigen::Isometry3d X_BC = Eigen::Isometry3d::Identity();
 };
 
+/// A link as the URDF has it.
+struct LinkModel {
+  std::string name;
+  std::string joint;      ///< that joins it to its parent; empty at the root
+  bool on_base = false;   ///< joined to base_link by fixed joints only
+  double mass = 0;        ///< [kg]
+  Eigen::Isometry3d X_BL = Eigen::Isometry3d::Identity();  ///< link in base_link, joints at zero
+  Eigen::Vector3d com_L = Eigen::Vector3d::Zero();         ///< [m]
+  Eigen::Matrix3d inertia_L = Eigen::Matrix3d::Zero();     ///< about its centre of mass, its axes [kg m²]
+};
+
 /// The vehicle, with its links joined to one body at their URDF positions.
 ///
 /// Rotors count with their mass and their physical inertia, the transverse part averaged over a turn, so `inertia` is
@@ -80,7 +91,7 @@ struct VehicleModel {
   std::vector<SensorModel> sensors;
   std::vector<CollisionBox> boxes;              ///< of the links fixed to base_link; none: no ground contact
   std::vector<PluginDeclaration> plugins;       ///< all, in the order of the file
-  std::vector<std::string> link_names;
+  std::vector<LinkModel> links;                 ///< from the root outwards
   std::vector<std::string> notes;  ///< "file:line: …", what is odd about it and taken as it stands. Tell the user, once
 };
 

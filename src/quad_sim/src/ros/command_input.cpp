@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "quad_sim_ros/conversions.hpp"
+#include "vehicle_topics.hpp"
 #include "quad_support/number_format.hpp"
 
 namespace quad_sim {
@@ -25,7 +26,7 @@ CommandInput::CommandInput(Simulator& simulator, const std::string& name, WorldG
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   command_sub_ = handle.subscribe(ns + "command/motor_speed", kQueueLength, &CommandInput::onCommand, this, hints);
   relay_sub_ = handle.subscribe(ns + "gazebo/command/motor_speed", kQueueLength, &CommandInput::onRelayed, this, hints);
-  wind_sub_ = handle.subscribe(ns + "wind_speed", 1, &CommandInput::onWind, this);
+  wind_sub_ = handle.subscribe(ns + windSpeedTopic(simulator.model()), 1, &CommandInput::onWind, this);
 }
 
 void CommandInput::stop() {

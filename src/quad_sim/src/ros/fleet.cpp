@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "quad_sim/simulation_config.hpp"
 #include "quad_support/config_reader.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/number_format.hpp"
@@ -54,31 +55,40 @@ class Entry {
 
 VehicleSpec specOf(const std::string& name, XmlRpcValue& value, const SimulationConfig& usual, const std::string& folder) {
   Entry entry(name, value);
-  VehicleSpec spec{usual, {}};
-  spec.config.vehicle_namespace = name;
+  SimulationConfig config = usual;
   if (entry.has("urdf")) {
-    spec.config.urdf = findUrdf(entry.text("urdf", ""), folder);
-    spec.config.mass.reset();
-    if (spec.config.urdf.empty()) entry.fail("urdf", "is no file beside the configuration or among the built models");
+    config.urdf = findUrdf(entry.text("urdf", ""), folder);
+    config.mass.reset();
+    if (config.urdf.empty()) entry.fail("urdf", "is no file beside the configuration or among the built models");
   }
-  if (entry.has("mass")) spec.config.mass = entry.number("mass", 0);
+  if (entry.has("mass")) config.mass = entry.number("mass", 0);
   const double z = entry.number("z", usual.initial_altitude), yaw = entry.number("yaw", 0);
   if (usual.options.ground && z < 0) entry.fail("z", "must be >= 0 m above the ground");
-  spec.config.model = loadVehicle(spec.config);
-  spec.start = equilibrium(spec.config.model, usual.options.gravity, z);
+  VehicleSpec spec{name, loadVehicle(config), config.options, {}};
+  spec.start = equilibrium(spec.model, usual.options.gravity, z);
   spec.start.p_WB.head<2>() << entry.number("x", 0), entry.number("y", 0);
   spec.start.q_WB = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ());
   if (!entry.boolean("hover", true)) spec.start.rotor_speed.assign(spec.start.rotor_speed.size(), 0.0);
   return spec;
 }
 
+std::uint64_t readSeed(const ros::NodeHandle& own, std::uint64_t fallback) {
+  XmlRpcValue value;
+  if (!own.getParam("seed", value)) return fallback;
+  const int seed = value.getType() == XmlRpcValue::TypeInt ? static_cast<int>(value) : -1;
+  if (seed < 0) throw quad_support::ConfigError("parameter ~seed must be a whole number in 0..2147483647");
+  return static_cast<std::uint64_t>(seed);
+}
+
 }  // namespace
 
 std::vector<VehicleSpec> readFleet(const ros::NodeHandle& own, const std::string& config_path) {
-  const SimulationConfig usual = readSimulationConfig(config_path);
+  SimulationConfig usual = readSimulationConfig(config_path);
+  usual.options.seed = readSeed(own, usual.options.seed);
   XmlRpcValue vehicles;
   if (!own.getParam("vehicles", vehicles)) {
-    return {{usual, equilibrium(usual.model, usual.options.gravity, usual.initial_altitude)}};
+    const VehicleState start = equilibrium(usual.model, usual.options.gravity, usual.initial_altitude);
+    return {{usual.vehicle_namespace, usual.model, usual.options, start}};
   }
   if (vehicles.getType() != XmlRpcValue::TypeStruct || vehicles.size() == 0) {
     throw quad_support::ConfigError("parameter ~vehicles must be a map from namespace to {x, y, z, yaw, urdf, mass, hover}");

@@ -7,7 +7,7 @@ namespace quad_sim {
 
 ImuTopic::ImuTopic(const SensorModel& model, const Simulator& simulator, const std::string& vehicle,
                    ros::NodeHandle& handle)
-    : model_(model), simulator_(simulator), identity_(vehicle + "/" + model.topic), frame_(frameOf(model, vehicle)) {
+    : model_(model), simulator_(simulator), identity_(vehicle + "/" + model.topic), frame_(frameOf(model.declaration, model.frame, vehicle)) {
   renew();
   constexpr int kQueueLength = 10;
   publisher_ = handle.advertise<sensor_msgs::Imu>("/" + vehicle + "/" + model.topic, kQueueLength);

@@ -1,7 +1,5 @@
 #include "model_services.hpp"
 
-#include <fmt/core.h>
-
 #include <stdexcept>
 
 #include "quad_sim_ros/conversions.hpp"
@@ -20,25 +18,13 @@ ModelServices::ModelServices(SimWorld& world, ros::NodeHandle& handle) : world_(
   model_state_sub_ = handle.subscribe("/gazebo/set_model_state", 10, &Self::onModelState, this);
 }
 
-namespace {
-
-bool isWorld(const std::string& frame) { return frame.empty() || frame == "world" || frame == "map" || frame == "/map"; }
-
-}  // namespace
-
-std::string ModelServices::nobody(const std::string& name) const {
-  std::string there;
-  for (const auto& vehicle : world_.vehicles()) there += (there.empty() ? "'" : ", '") + vehicle->name + "'";
-  return fmt::format("no model '{}'; in the world there is {}", name, there);
-}
-
 bool ModelServices::onGetModelState(gazebo_msgs::GetModelState::Request& request,
                                     gazebo_msgs::GetModelState::Response& response) {
   const WorldGate::Visit visit(world_.gate());
   Vehicle* const vehicle = world_.find(request.model_name);
   Vehicle* const other = world_.find(request.relative_entity_name);
   if (!vehicle || (!other && !isWorld(request.relative_entity_name))) {
-    response.status_message = "GetModelState: " + nobody(vehicle ? request.relative_entity_name : request.model_name);
+    response.status_message = "GetModelState: " + world_.nobody(vehicle ? request.relative_entity_name : request.model_name);
     return true;
   }
   ModelState state = modelState(vehicle->simulator.state());
@@ -58,7 +44,7 @@ std::string ModelServices::set(const gazebo_msgs::ModelState& wanted) {
   Vehicle* const vehicle = world_.find(wanted.model_name);
   Vehicle* const frame = world_.find(wanted.reference_frame);
   if (!vehicle || (!frame && !isWorld(wanted.reference_frame))) {
-    return nobody(vehicle ? wanted.reference_frame : wanted.model_name);
+    return world_.nobody(vehicle ? wanted.reference_frame : wanted.model_name);
   }
   try {
     ModelState given = modelState(wanted.pose, wanted.twist);
@@ -87,7 +73,7 @@ void ModelServices::onModelState(const gazebo_msgs::ModelState& wanted) {
 bool ModelServices::onCommandReport(CommandReport::Request& request, CommandReport::Response& response) {
   Vehicle* const vehicle = request.model_name.empty() ? &world_.first() : world_.find(request.model_name);
   if (!vehicle) {
-    response.message = nobody(request.model_name);
+    response.message = world_.nobody(request.model_name);
     return true;
   }
   const CommandTally tally = vehicle->commands.tally();

@@ -31,7 +31,6 @@ class ModelServices {
   bool onRestoreState(RestoreState::Request&, RestoreState::Response&);
 
   std::string set(const gazebo_msgs::ModelState& wanted);  ///< what went wrong; empty if nothing did
-  std::string nobody(const std::string& name) const;
 
   SimWorld& world_;
   std::map<std::string, unsigned> sequence_;  ///< of get_model_state's answers, by model

@@ -35,6 +35,19 @@ VehicleState moved(VehicleState state, const ModelState& to) {
   return state;
 }
 
+ModelState linkState(const VehicleState& vehicle, const LinkModel& link) {
+  return linkState(vehicle, link, Eigen::Vector3d::UnitZ(), 0, 0);
+}
+
+ModelState linkState(const VehicleState& vehicle, const LinkModel& link, const Eigen::Vector3d& axis_B, double angle,
+                     double speed) {
+  const Eigen::Quaterniond& q = vehicle.q_WB;
+  const Eigen::Vector3d& r_B = link.X_BL.translation();
+  const Eigen::Quaterniond turned(Eigen::AngleAxisd(angle, axis_B) * link.X_BL.linear());
+  return {vehicle.p_WB + q * r_B, q * turned, vehicle.v_WB + q * vehicle.w_WB_B.cross(r_B),
+          q * (vehicle.w_WB_B + speed * axis_B)};
+}
+
 geometry_msgs::Pose poseMsg(const ModelState& state) {
   geometry_msgs::Pose out;
   fill(state.position, out.position);
@@ -49,6 +62,13 @@ geometry_msgs::Twist twistMsg(const ModelState& state) {
   geometry_msgs::Twist out;
   fill(state.velocity, out.linear);
   fill(state.rate, out.angular);
+  return out;
+}
+
+geometry_msgs::Wrench wrenchMsg(const Wrench& wrench) {
+  geometry_msgs::Wrench out;
+  fill(wrench.force, out.force);
+  fill(wrench.torque, out.torque);
   return out;
 }
 

@@ -3,10 +3,12 @@
 
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Twist.h>
+#include <geometry_msgs/Wrench.h>
 
 #include <Eigen/Geometry>
 
 #include "quad_sim/state.hpp"
+#include "quad_sim/vehicle_model.hpp"
 
 namespace quad_sim {
 
@@ -24,8 +26,16 @@ ModelState fromFrame(const ModelState& frame, const ModelState& given);
 /// `state` moved to that pose and twist; rotors as they are.
 VehicleState moved(VehicleState state, const ModelState& to);
 
+/// A link fixed to base_link, in the world: its origin and axes.
+ModelState linkState(const VehicleState& vehicle, const LinkModel& link);
+
+/// The same of a link that turns about `axis_B` (through its origin) by `angle` [rad] with `speed` [rad/s].
+ModelState linkState(const VehicleState& vehicle, const LinkModel& link, const Eigen::Vector3d& axis_B, double angle,
+                     double speed);
+
 geometry_msgs::Pose poseMsg(const ModelState& state);
 geometry_msgs::Twist twistMsg(const ModelState& state);
+geometry_msgs::Wrench wrenchMsg(const Wrench& wrench);
 /// @throws std::invalid_argument for a quaternion of zero length or numbers that are not finite
 ModelState modelState(const geometry_msgs::Pose& pose, const geometry_msgs::Twist& twist);
 

@@ -10,10 +10,10 @@
 
 namespace quad_sim {
 
-std::string frameOf(const SensorModel& model, const std::string& vehicle) {
-  const std::string made_for = model.declaration.text("robotNamespace", "");
-  if (made_for.empty() || model.frame.rfind(made_for + "/", 0) != 0) return model.frame;
-  return vehicle + model.frame.substr(made_for.size());
+std::string frameOf(const PluginDeclaration& plugin, const std::string& frame, const std::string& vehicle) {
+  const std::string made_for = plugin.text("robotNamespace", "");
+  if (made_for.empty() || frame.rfind(made_for + "/", 0) != 0) return frame;
+  return vehicle + frame.substr(made_for.size());
 }
 
 OdometryTopics::OdometryTopics(const SensorModel& model, const Simulator& simulator, const std::string& vehicle,
@@ -21,7 +21,7 @@ OdometryTopics::OdometryTopics(const SensorModel& model, const Simulator& simula
     : model_(model),
       simulator_(simulator),
       identity_(vehicle + "/" + model.topic),
-      frame_(frameOf(model, vehicle)),
+      frame_(frameOf(model.declaration, model.frame, vehicle)),
       primary_(primary) {
   constexpr int kQueueLength = 10;
   renew();

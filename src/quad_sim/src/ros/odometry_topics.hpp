@@ -51,7 +51,7 @@ class OdometryTopics {
   ros::Publisher pose_, pose_with_covariance_, position_, transform_;
 };
 
-/// "hummingbird/base_link" of a model made for the namespace hummingbird, flown as bee2: "bee2/base_link".
-std::string frameOf(const SensorModel& model, const std::string& vehicle);
+/// The frame "hummingbird/base_link" of a plugin made for the namespace hummingbird, flown as bee2: "bee2/base_link".
+std::string frameOf(const PluginDeclaration& plugin, const std::string& frame, const std::string& vehicle);
 
 }  // namespace quad_sim

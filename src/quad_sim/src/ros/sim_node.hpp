@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "gazebo_services.hpp"
+#include "link_services.hpp"
 #include "model_services.hpp"
+#include "property_services.hpp"
 #include "sim_world.hpp"
+#include "spawn_services.hpp"
 #include "step_service.hpp"
 
 namespace quad_sim {
@@ -18,11 +21,14 @@ namespace quad_sim {
 class SimNode {
  public:
   SimNode(const std::vector<VehicleSpec>& fleet, const SimNodeOptions& options)
-      : world_(fleet, options),
-        handle_(withQueue(queue_)),
+      : handle_(withQueue(queue_)),
+        world_(fleet, options, handle_),
         step_(world_, handle_),
         gazebo_(world_, handle_),
         models_(world_, handle_),
+        links_(world_, handle_),
+        spawner_(world_, handle_),
+        properties_(world_, handle_),
         spinner_(1, &queue_) {
     spinner_.start();
   }
@@ -38,12 +44,15 @@ class SimNode {
     return handle;
   }
 
-  SimWorld world_;
   ros::CallbackQueue queue_;
   ros::NodeHandle handle_;
+  SimWorld world_;
   StepService step_;
   GazeboServices gazebo_;
   ModelServices models_;
+  LinkServices links_;
+  SpawnServices spawner_;
+  PropertyServices properties_;
   ros::AsyncSpinner spinner_;
 };
 

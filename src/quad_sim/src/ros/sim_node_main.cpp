@@ -1,4 +1,4 @@
-// The simulator node. Parameters: ~config, ~publish_every, ~paused, ~vehicles, ~real_time_factor; see launch/sim.launch.
+// The simulator node. Parameters: ~config, ~publish_every, ~paused, ~vehicles, ~real_time_factor, ~seed; see launch/sim.launch.
 #include <ros/ros.h>
 
 #include <chrono>
@@ -35,7 +35,7 @@ int run(int argc, char** argv) {
                                 "roslaunch launch/sim.launch config:=config/thesis.yaml");
   }
   const std::vector<quad_sim::VehicleSpec> fleet = quad_sim::readFleet(own, path);
-  const quad_sim::SimNode node(fleet, readOptions(own, fleet.front().config.options.step));
+  const quad_sim::SimNode node(fleet, readOptions(own, fleet.front().options.step));
   while (ros::ok()) {
     quad_support::throwIfInterrupted();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

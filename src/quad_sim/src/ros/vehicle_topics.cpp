@@ -1,7 +1,6 @@
 #include "vehicle_topics.hpp"
 
 #include <fmt/core.h>
-#include <rotors_comm/WindSpeed.h>
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/Float32.h>
 #include <tf2_msgs/TFMessage.h>
@@ -14,6 +13,45 @@
 
 namespace quad_sim {
 
+const PluginDeclaration* windPlugin(const VehicleModel& model) {
+  for (const PluginDeclaration& p : model.plugins) {
+    if (p.filename == "librotors_gazebo_wind_plugin.so") return &p;
+  }
+  return nullptr;
+}
+
+rotors_comm::WindSpeed windMessage(const Simulator& simulator) {
+  rotors_comm::WindSpeed out;
+  out.header.stamp = toStamp(simulator.timeNanoseconds());
+  out.header.frame_id = "world";
+  const Eigen::Vector3d v = simulator.wind();
+  out.velocity.x = v.x();
+  out.velocity.y = v.y();
+  out.velocity.z = v.z();
+  return out;
+}
+
+geometry_msgs::WrenchStamped forceMessage(const Simulator& simulator, const std::string& frame) {
+  geometry_msgs::WrenchStamped out;
+  out.header.stamp = toStamp(simulator.timeNanoseconds());
+  out.header.frame_id = frame;
+  const Eigen::Vector3d f = simulator.outsideForce();
+  out.wrench.force.x = f.x();
+  out.wrench.force.y = f.y();
+  out.wrench.force.z = f.z();
+  return out;
+}
+
+std::string forceFrame(const VehicleModel& model, const std::string& vehicle) {
+  const PluginDeclaration* const wind = windPlugin(model);
+  return wind ? frameOf(*wind, wind->text("frameId", "world"), vehicle) : "world";
+}
+
+std::string windSpeedTopic(const VehicleModel& model) {
+  const PluginDeclaration* const wind = windPlugin(model);
+  return wind ? wind->text("windSpeedPubTopic", "wind_speed") : "wind_speed";
+}
+
 VehicleTopics::VehicleTopics(const Simulator& simulator, const std::string& name, ros::NodeHandle& n)
     : simulator_(simulator), name_(name) {
   constexpr int kQueueLength = 10;
@@ -22,7 +60,13 @@ VehicleTopics::VehicleTopics(const Simulator& simulator, const std::string& name
   motor_speed_pub_ = n.advertise<mav_msgs::Actuators>(ns + "motor_speed", kQueueLength, true);
   relay_pub_ = n.advertise<mav_msgs::Actuators>(ns + "gazebo/command/motor_speed", kQueueLength);
   joints_pub_ = n.advertise<sensor_msgs::JointState>(ns + "joint_states", kQueueLength);
-  wind_pub_ = n.advertise<rotors_comm::WindSpeed>(ns + "wind_speed", kQueueLength);
+  const PluginDeclaration* const wind = windPlugin(model);
+  wind_pub_ = n.advertise<rotors_comm::WindSpeed>(ns + windSpeedTopic(model), kQueueLength);
+  if (wind) {
+    const std::string usual = wind->text("windPubTopic", "external_force");  // the tag's older name
+    force_pub_ = n.advertise<geometry_msgs::WrenchStamped>(ns + wind->text("windForcePubTopic", usual), kQueueLength);
+    force_frame_ = forceFrame(model, name);
+  }
   tf_pub_ = n.advertise<tf2_msgs::TFMessage>("/tf", 100);
   for (const SensorModel& sensor : model.sensors) {
     if (sensor.kind == SensorModel::Kind::kImu) {
@@ -121,15 +165,9 @@ void VehicleTopics::publishHeld() {
     relay_pub_.publish(relay);
   }
   if (wind_pub_.getNumSubscribers() > kOwn) {
-    rotors_comm::WindSpeed wind;
-    wind.header.stamp = last_motor_speed_.header.stamp;
-    wind.header.frame_id = "world";
-    const Eigen::Vector3d v = simulator_.wind();
-    wind.velocity.x = v.x();
-    wind.velocity.y = v.y();
-    wind.velocity.z = v.z();
-    wind_pub_.publish(wind);
+    wind_pub_.publish(windMessage(simulator_));
   }
+  if (force_pub_ && force_pub_.getNumSubscribers() > 0) force_pub_.publish(forceMessage(simulator_, force_frame_));
 }
 
 void VehicleTopics::archive(StateArchive& archive) {

@@ -10,7 +10,7 @@ namespace {
 
 SavedState sensorsOf(Vehicle& vehicle) {
   StateArchive out;
-  vehicle.topics.archive(out);
+  vehicle.archive(out);
   return {"sensors", vehicle.simulator.stepCount(), out.numbers()};
 }
 
@@ -29,7 +29,7 @@ void restoreVehicle(Vehicle& vehicle, std::istream& in) {
   vehicle.simulator.restore(savedStateFromText(fourLines(in)));
   StateArchive sensors(savedStateFromText(fourLines(in)).numbers);
   try {
-    vehicle.topics.archive(sensors);
+    vehicle.archive(sensors);
   } catch (const std::exception&) {
     throw quad_support::DataError("saved state: the sensors of " + vehicle.name + " are others");
   }
