@@ -1,6 +1,8 @@
 #include "simulator_client.hpp"
 
 #include <fmt/format.h>
+#include <quad_sim/RestoreState.h>
+#include <quad_sim/SaveState.h>
 
 #include <utility>
 
@@ -41,6 +43,24 @@ void SimulatorClient::waitUntilThere(double timeout) {
 void SimulatorClient::callEmpty(ros::ServiceClient& client, const std::string& name) {
   std_srvs::Empty call;  // pausing or resetting twice is the same as once
   if (!tryOnce(handle_, client, name, call) && !tryOnce(handle_, client, name, call)) failUnreachable(name);
+}
+
+bool SimulatorClient::restoreStart() {
+  if (start_.empty()) return false;
+  quad_sim::RestoreState call;
+  call.request.state = start_;
+  const std::string name = "/gazebo/restore_state";  // twice is the same as once
+  if (!tryOnce(handle_, restore_, name, call) && !tryOnce(handle_, restore_, name, call)) failUnreachable(name);
+  return call.response.success;  // refused: somebody has changed the physics or the vehicles
+}
+
+void SimulatorClient::startAfresh() {
+  callEmpty(reset_, "/gazebo/reset_simulation");
+  if (restoreStart()) return;
+  quad_sim::SaveState call;
+  const std::string name = "/gazebo/save_state";
+  if (!tryOnce(handle_, save_, name, call) && !tryOnce(handle_, save_, name, call)) failUnreachable(name);
+  start_ = call.response.state;
 }
 
 bool SimulatorClient::tryStep(quad_sim::Step& call) {

@@ -18,7 +18,9 @@ class SimulatorClient {
   void waitUntilThere(double timeout);
   void pause() { callEmpty(pause_, "/gazebo/pause_physics"); }
   void unpause() { callEmpty(unpause_, "/gazebo/unpause_physics"); }
-  void reset() { callEmpty(reset_, "/gazebo/reset_simulation"); }
+  /// Resets the simulator, and from the second time on restores the state of the first: with quad_sim's quirk
+  /// filter_survives_reset a reset alone would not make two flights alike.
+  void startAfresh();
 
   /// One /gazebo/step. Where the connection breaks in between, the state is read again, and only a step that has not
   /// been made is repeated. @param before_ns  simulated time before the step
@@ -27,11 +29,13 @@ class SimulatorClient {
   quad_sim::Step::Response read(const ros::Time& command_stamp, double timeout);
 
  private:
+  bool restoreStart();
   void callEmpty(ros::ServiceClient& client, const std::string& name);
   bool tryStep(quad_sim::Step& call);
 
   ros::NodeHandle handle_;
-  ros::ServiceClient pause_, unpause_, reset_, step_;
+  ros::ServiceClient pause_, unpause_, reset_, save_, restore_, step_;
+  std::string start_;  ///< saved state after the first reset
 };
 
 }  // namespace quad_control

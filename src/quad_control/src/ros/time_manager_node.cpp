@@ -50,7 +50,7 @@ class TimeManagerNode {
       delays_ = IntervalStatistics();
       simulator_.waitUntilThere(positive(request.timeout));
       simulator_.pause();
-      simulator_.reset();
+      simulator_.startAfresh();
       finish(simulator_.read(ros::Time(), request.timeout), response);
       flying_ = true;
     });
