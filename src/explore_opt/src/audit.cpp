@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -19,18 +20,49 @@ using Eigen::Index;
 
 constexpr Real kTwoPi = 6.283185307179586476925286766559005768L;
 
+/// R with RᵀR = ΦΦᵀ, sample by sample. The products themselves would lose the square of what
+/// Φ's condition number costs.
+class Triangle {
+ public:
+  explicit Triangle(Index n) : rows_(Matrix::Zero(kRows + n, n)), next_(n) {}
+
+  void add(const Vector& phi) {
+    rows_.row(next_++) = phi.transpose();
+    if (next_ == rows_.rows()) reduce();
+  }
+  /// Changes nothing but the form.
+  Matrix root() {
+    reduce();
+    return rows_.topRows(rows_.cols());
+  }
+
+ private:
+  static constexpr Index kRows = 32;
+
+  void reduce() {
+    const Eigen::HouseholderQR<Matrix> qr(rows_);
+    const Index n = rows_.cols();
+    rows_.setZero();
+    rows_.topRows(n) = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+    next_ = n;
+  }
+
+  Matrix rows_;
+  Index next_;
+};
+
 /// Problem in long double, and the sums over all samples that the checks need. Column a < p of a
 /// sample's regressors answers unit amplitude of component a, column p answers x_0.
 struct Sums {
   const ExplorationProblem& problem;
   int p;
-  Matrix D, weight;                 // D_des of full meaning, D or D ⊗ I; Σ M-weighted products
-  Matrix cost;                      // γ_e² = [a; 1]ᵀ cost [a; 1] (one experiment)
-  Matrix peaks;                     // Σ ν_k [a; 1]ᵀ peaks [a; 1] = Σ ν_k ‖u_k‖²
-  Real peak_limits = 0.0L;          // Σ ν_k u_max²
-  std::vector<Matrix> information;  // ΦΦᵀ of each experiment
-  std::vector<Real> energy;         // Σ‖u_k‖² of each experiment
-  Vector largest_inputs;            // largest |u_kj|, and last ‖u_k‖, of all
+  Matrix D, weight;            // D_des of full meaning, D or D ⊗ I; Σ M-weighted products
+  Matrix cost;                 // γ_e² = [a; 1]ᵀ cost [a; 1] (one experiment)
+  Matrix peaks;                // Σ ν_k [a; 1]ᵀ peaks [a; 1] = Σ ν_k ‖u_k‖²
+  Real peak_limits = 0.0L;     // Σ ν_k u_max²
+  std::vector<Triangle> data;  // of each experiment
+  std::vector<Real> energy;    // Σ‖u_k‖² of each experiment
+  Vector largest_inputs;       // largest |u_kj|, and last ‖u_k‖, of all
 };
 
 Real carrier(const ExplorationProblem& problem, int row, int k) {
@@ -62,20 +94,20 @@ Matrix expanded(const Matrix& S, Index nx) {
   return out;
 }
 
-/// W with tr(M (S [⊗ I])) = tr(W S): M itself, or the traces of its n_x x n_x blocks.
-Matrix blockTraces(const Matrix& M, Index n, Index nx) {
-  if (M.rows() == n) return M;
-  Matrix W(n, n);
-  for (Index i = 0; i < n; ++i)
-    for (Index j = 0; j < n; ++j) W(i, j) = M.block(i * nx, j * nx, nx, nx).trace();
-  return W;
+/// V with tr(Y Yᵀ(φφᵀ [⊗ I])) = ‖V φ‖²: Yᵀ, or each column of Y as n_x rows.
+Matrix weights(const Matrix& Y, Index n, Index nx) {
+  if (Y.rows() == n) return Y.transpose();
+  Matrix V(Y.cols() * nx, n);
+  for (Index r = 0; r < Y.cols(); ++r)
+    for (Index j = 0; j < n; ++j) V.col(j).segment(r * nx, nx) = Y.col(r).segment(j * nx, nx);
+  return V;
 }
 
-Matrix positivePart(const Matrix& M) {
+/// Y with Y Yᵀ the positive part of M.
+Matrix positiveRoot(const Matrix& M) {
   const Matrix symmetric = 0.5L * (M + M.transpose());
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(symmetric);
-  const Vector values = eigen.eigenvalues().cwiseMax(0.0L);
-  return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0L).cwiseSqrt().asDiagonal();
 }
 
 /// M = D^{-1/2} Z D^{-1/2} of a normalised certificate.
@@ -85,7 +117,7 @@ Matrix rawMultiplier(const Matrix& Z, const Matrix& D) {
 }
 
 /// Simulates all unit responses at once, sample by sample, and adds up what is needed.
-Sums simulate(const ExplorationProblem& problem, const Matrix& M, const DesignClaims& claims) {
+Sums simulate(const ExplorationProblem& problem, const Matrix& Y, const DesignClaims& claims) {
   const int p = problem.numAmplitudes(), nx = problem.numStates(), nu = problem.numInputs(),
             n = nx + nu, carriers = p / nu;
   const auto runs = static_cast<int>(claims.amplitudes.rows() / carriers);
@@ -95,7 +127,7 @@ Sums simulate(const ExplorationProblem& problem, const Matrix& M, const DesignCl
     for (int a = 0; a < p; ++a) chosen(a, r) = claims.amplitudes(r * carriers + a / nu, a % nu);
   chosen.row(p).setOnes();
 
-  const Matrix W = blockTraces(M, n, nx);
+  const Matrix V = weights(Y, n, nx);
   Sums s{problem,
          p,
          meaning(problem),
@@ -103,7 +135,7 @@ Sums simulate(const ExplorationProblem& problem, const Matrix& M, const DesignCl
          Matrix::Zero(p + 1, p + 1),
          Matrix::Zero(p + 1, p + 1),
          0.0L,
-         std::vector<Matrix>(static_cast<std::size_t>(runs), Matrix::Zero(n, n)),
+         std::vector<Triangle>(static_cast<std::size_t>(runs), Triangle(n)),
          std::vector<Real>(static_cast<std::size_t>(runs), 0.0L),
          Vector::Zero(nu + 1)};
   Matrix X = Matrix::Zero(nx, p + 1), phi(n, p + 1);
@@ -113,7 +145,8 @@ Sums simulate(const ExplorationProblem& problem, const Matrix& M, const DesignCl
     for (int a = 0; a < p; ++a) U(a % nu, a) = carrier(problem, a / nu, k);
     if (problem.K.size() > 0) U += problem.K.cast<Real>() * X;
     phi << X, U;
-    s.weight += phi.transpose() * (W * phi);
+    const Matrix weighted = V * phi;
+    s.weight += weighted.transpose() * weighted;
     s.cost += U.transpose() * U;
     for (const DesignClaims::Peak& peak : claims.peak_multipliers) {
       if (peak.sample != k) continue;
@@ -124,7 +157,7 @@ Sums simulate(const ExplorationProblem& problem, const Matrix& M, const DesignCl
     }
     for (int r = 0; r < runs; ++r) {
       const Vector now = phi * chosen.col(r), u = now.tail(nu);
-      s.information[static_cast<std::size_t>(r)] += now * now.transpose();
+      s.data[static_cast<std::size_t>(r)].add(now);
       s.energy[static_cast<std::size_t>(r)] += u.squaredNorm();
       for (int j = 0; j < nu; ++j)
         s.largest_inputs(j) = std::max(s.largest_inputs(j), std::abs(u(j)));
@@ -137,29 +170,32 @@ Sums simulate(const ExplorationProblem& problem, const Matrix& M, const DesignCl
 
 /// Largest ρ with (mean information)[⊗ I] ⪰ ρ γ_w D_des on the unknown entries; 0 if the
 /// information is singular.
-Real feasibility(const Sums& s) {
+Real feasibility(Sums& s) {
   const ExplorationProblem& problem = s.problem;
   const Index n = problem.numRegressors(), nx = problem.numStates();
-  Matrix S = Matrix::Zero(n, n), D = s.D;
-  for (const Matrix& information : s.information)
-    S += information / static_cast<Real>(s.information.size());
+  const auto runs = static_cast<Index>(s.data.size());
+  Matrix R(runs * n, n), D = s.D;
+  for (Index r = 0; r < runs; ++r)
+    R.middleRows(r * n, n) = s.data[static_cast<std::size_t>(r)].root() / std::sqrt(Real(runs));
   const bool known = problem.known.size() > 0;
   if (known || D.rows() == n * nx) {
-    S = expanded(S, nx);
+    R = expanded(R, nx);
     if (D.rows() == n) D = expanded(D, nx);
   }
   std::vector<Index> free;
-  for (Index e = 0; e < S.rows(); ++e)
+  for (Index e = 0; e < R.cols(); ++e)
     if (!known || std::isnan(problem.known(e % nx, e / nx))) free.push_back(e);
-  const Matrix part = S(free, free), asked = D(free, free);
-  // A unit diagonal first: states have units, rounding has none.
-  const Vector scale = part.diagonal().cwiseSqrt();
+  const Matrix part = R(Eigen::all, free), asked = D(free, free);
+  // Columns of one length first: states have units, rounding has none.
+  const Vector scale = part.colwise().norm();
   if (!(scale.minCoeff() > 0.0L)) return 0.0L;
   const Matrix inverse = scale.cwiseInverse().asDiagonal();
-  const Eigen::LLT<Matrix> llt(inverse * part * inverse);
-  if (llt.info() != Eigen::Success) return 0.0L;
-  const Matrix half = llt.matrixL().solve(inverse * asked * inverse);
-  const Matrix ratio = llt.matrixL().solve(half.transpose());
+  const Eigen::HouseholderQR<Matrix> qr(part * inverse);
+  const Matrix U = qr.matrixQR().topRows(part.cols()).triangularView<Eigen::Upper>();
+  if (!(U.diagonal().cwiseAbs().minCoeff() > 1e-17L)) return 0.0L;
+  const auto lower = U.transpose().triangularView<Eigen::Lower>();
+  const Matrix half = lower.solve(Matrix(inverse * asked * inverse));
+  const Matrix ratio = lower.solve(Matrix(half.transpose()));
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(0.5L * (ratio + ratio.transpose()));
   return 1.0L / (problem.gamma_w * eigen.eigenvalues().maxCoeff());
 }
@@ -199,12 +235,12 @@ Real bestLeastValue(const Matrix& cost, const Matrix& R, Real c) {
 }
 
 /// What the multipliers prove about γ_e.
-Real provedBound(const Sums& s, const Matrix& M) {
-  const Index n = s.problem.numRegressors(), nx = s.problem.numStates();
-  const Matrix D = M.rows() == s.D.rows() ? s.D : expanded(s.D, nx);
-  if (M.rows() != n && M.rows() != n * nx) return 0.0L;
+Real provedBound(const Sums& s, const Matrix& Y) {
+  const Matrix D = Y.rows() == s.D.rows() ? s.D : expanded(s.D, s.problem.numStates());
+  if (Y.rows() != D.rows()) return 0.0L;
   const Matrix R = s.peaks - 2.0L * s.weight;
-  const Real constant = 2.0L * s.problem.gamma_w * M.cwiseProduct(D).sum() - s.peak_limits;
+  const Real reward = Y.cwiseProduct(D * Y).sum();
+  const Real constant = 2.0L * s.problem.gamma_w * reward - s.peak_limits;
   const Real square = bestLeastValue(s.cost, R, constant);
   return square > 0.0L && std::isfinite(square) ? std::sqrt(square) : 0.0L;
 }
@@ -220,6 +256,7 @@ void checkShapes(const ExplorationProblem& problem, const DesignClaims& claims) 
   requireFinite(claims.amplitudes, "amplitudes");
   requireFinite(claims.certificate, "certificate");
   requireFinite(claims.multiplier, "multiplier");
+  requireFinite(claims.multiplier_root, "multiplier_root");
   for (const DesignClaims::Peak& peak : claims.peak_multipliers) {
     require(problem.u_max.size() > 0, "there are peak multipliers, but the problem has no u_max");
     require(peak.sample >= 0 && peak.sample < problem.lines.num_samples && peak.input >= -1 &&
@@ -230,17 +267,19 @@ void checkShapes(const ExplorationProblem& problem, const DesignClaims& claims) 
   }
 }
 
-/// The multiplier in raw coordinates, its positive part; 0 x 0 if none fits.
-Matrix multiplierOf(const ExplorationProblem& problem, const DesignClaims& claims) {
+/// Root of the multiplier in raw coordinates; zero if none fits.
+Matrix multiplierRoot(const ExplorationProblem& problem, const DesignClaims& claims) {
   const Index n = problem.numRegressors(), nx = problem.numStates();
+  const Index rows = claims.multiplier_root.rows();
+  if (rows == n || rows == n * nx) return claims.multiplier_root.cast<Real>();
   Matrix M = claims.multiplier.cast<Real>();
   const Matrix D = meaning(problem);
   if (M.size() == 0 && claims.certificate.rows() == D.rows() &&
       claims.certificate.rows() == claims.certificate.cols())
     M = rawMultiplier(claims.certificate.cast<Real>(), D);
   const bool square = M.rows() == M.cols() && (M.rows() == n || M.rows() == n * nx);
-  if (!square || !M.allFinite()) return Matrix::Zero(n, n);
-  return positivePart(M);
+  if (!square || !M.allFinite()) return Matrix::Zero(n, 1);
+  return positiveRoot(M);
 }
 
 bool close(Real a, Real b, Real tolerance) {
@@ -256,9 +295,9 @@ bool AuditReport::passed() const {
 AuditReport audit(const ExplorationProblem& problem, const DesignClaims& claims) {
   validate(problem);
   checkShapes(problem, claims);
-  const Matrix M = multiplierOf(problem, claims);
-  Sums s = simulate(problem, M, claims);
-  const auto runs = static_cast<Real>(s.information.size());
+  const Matrix Y = multiplierRoot(problem, claims);
+  Sums s = simulate(problem, Y, claims);
+  const auto runs = static_cast<Real>(s.data.size());
   const bool on_input = problem.cost == CostOn::kInput;
   Real square = claims.amplitudes.cast<Real>().squaredNorm() / runs;
   if (on_input) {
@@ -272,7 +311,7 @@ AuditReport audit(const ExplorationProblem& problem, const DesignClaims& claims)
   AuditReport report;
   report.lambda_min = static_cast<double>(feasibility(s));
   report.gamma_e = static_cast<double>(std::sqrt(square));
-  report.lower_bound = static_cast<double>(provedBound(s, M));
+  report.lower_bound = static_cast<double>(provedBound(s, Y));
   report.gap = (report.gamma_e - report.lower_bound) / report.gamma_e;
   report.peak = static_cast<double>(s.largest_inputs(problem.numInputs()));
   const auto add = [&](const char* name, bool passed, const std::string& finding) {

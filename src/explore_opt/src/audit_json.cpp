@@ -87,6 +87,7 @@ DesignClaims claimsFromJson(const std::string& text, const std::string& source,
   claims.amplitudes = amplitudes(object.at(key), problem.phase, source);
   claims.certificate = optionalMatrix(object, "certificate", source);
   claims.multiplier = optionalMatrix(object, "multiplier", source);
+  claims.multiplier_root = optionalMatrix(object, "multiplier_root", source);
   if (!object.contains("peak_multipliers")) return claims;
   if (!object.at("peak_multipliers").is_array())
     throw ConfigError(fmt::format("{}: peak_multipliers must be a list", source));

@@ -102,22 +102,22 @@ MatrixXd ConstraintShape::factor(const MatrixXd& regressors) const {
   return F * root_;
 }
 
-MatrixXd ConstraintShape::multiplier(const MatrixXd& Z) const {
-  const MatrixXd M = root_ * Z * root_;
-  if (!full_ && !known_) return M;
-  const Index n = Index{num_regressors_} * num_states_;
-  MatrixXd all = MatrixXd::Zero(n, n);
+MatrixXd ConstraintShape::multiplierRoot(const MatrixXd& Y) const {
+  const MatrixXd WY = root_ * Y;
+  if (!full_ && !known_) return WY;
+  const Index n = Index{num_regressors_} * num_states_, columns = Y.cols();
   if (full_) {
-    all(entries_, entries_) = M;
+    MatrixXd all = MatrixXd::Zero(n, columns);
+    all(entries_, Eigen::all) = WY;
     return all;
   }
-  Index first = 0;
+  // N is block diagonal, so only the diagonal blocks of Y Yᵀ count: each has columns of its own.
+  MatrixXd all = MatrixXd::Zero(n, columns * static_cast<Index>(sets_.size()));
+  Index row = 0;
   for (std::size_t s = 0; s < sets_.size(); ++s) {
-    std::vector<int> entries;
-    for (const int j : sets_[s]) entries.push_back(j * num_states_ + rows_[s]);
-    const auto size = static_cast<Index>(entries.size());
-    all(entries, entries) = M.block(first, first, size, size);
-    first += size;
+    for (const int j : sets_[s])
+      all.row(j * num_states_ + rows_[s]).segment(static_cast<Index>(s) * columns, columns) =
+          WY.row(row++);
   }
   return all;
 }

@@ -27,9 +27,9 @@ class ConstraintShape {
   /// r x n_φ regressors in rows -> rows of F
   Eigen::MatrixXd factor(const Eigen::MatrixXd& regressors) const;
 
-  /// M = E W Z W Eᵀ, the multiplier of the raw condition: n_φ x n_φ for D ⊗ I without known
-  /// entries, else n_φ n_x x n_φ n_x.
-  Eigen::MatrixXd multiplier(const Eigen::MatrixXd& Z) const;
+  /// E W Y, root of the multiplier M = E W Y Yᵀ W Eᵀ of the raw condition: n_φ rows for D ⊗ I
+  /// without known entries, else n_φ n_x.
+  Eigen::MatrixXd multiplierRoot(const Eigen::MatrixXd& Y) const;
 
  private:
   void add(const Eigen::MatrixXd& D, double largest);

@@ -44,7 +44,7 @@ Relaxed relax(const DesignTask& task, const VectorXd& start,
   const RelaxedSolution solution =
       solveRelaxed(scaled, scaled.toScaled(start), kRelaxedGap, 1.001 * most);
   const MatrixXd centred = solution.lifted - solution.mean * solution.mean.transpose();
-  Relaxed relaxed{task.certify(scaled.toCertificate(solution.Z), square * solution.nu),
+  Relaxed relaxed{task.certify(scaled.toRoot(solution.Z), square * solution.nu),
                   scaled.toAmplitudes(solution.mean),
                   quad_support::SymmetricEigen(square * centred), 0};
   const VectorXd all = quad_support::symmetricEigenvalues(solution.lifted);
@@ -113,7 +113,7 @@ class Search {
   void add(const LocalSolution& solution) {
     ++solves_;
     if (solution.status != SolverStatus::kConverged) ++failures_;
-    if (solution.Z.trace() > 0.0) improveCertificate(single_.certify(solution.Z, solution.nu));
+    if (solution.root.size() > 0) improveCertificate(single_.certify(solution.root, solution.nu));
     if (solution.amplitudes.size() == 0) return;
     const bool first = design_.amplitudes.size() == 0;
     const double now = design_.amplitudes.norm(), candidate = solution.amplitudes.norm();

@@ -202,6 +202,8 @@ ordered_json designToJson(const ExplorationProblem& problem, const DesignResult&
       result.certificate.size() > 0 ? matrixToJson(result.certificate) : ordered_json(nullptr);
   out["multiplier"] =
       result.multiplier.size() > 0 ? matrixToJson(result.multiplier) : ordered_json(nullptr);
+  out["multiplier_root"] = result.multiplier_root.size() > 0 ? matrixToJson(result.multiplier_root)
+                                                             : ordered_json(nullptr);
   if (problem.u_max.size() > 0) {
     out["peak_multipliers"] = peakMultipliersToJson(result);
     out["peak"] = numberOrNull(result.peak);

@@ -79,7 +79,7 @@ Outcome improve(const DesignTask& task, const DesignOptions& options, double gap
       solveInnerRelaxation(program, solver, program.toScaled(before), 0.5 * gap);
   design.status = inner.centred ? DesignStatus::kSolved : DesignStatus::kReducedAccuracy;
   if (inner.Z.size() == 0) return Outcome::kNoDecrease;
-  const Certificate certificate = task.certify(program.toCertificate(inner.Z));
+  const Certificate certificate = task.certify(program.toRoot(inner.Z));
   if (certificate.bound > design.certificate.bound) design.certificate = certificate;
 
   VectorXd a = task.onBoundary(program.toAmplitudes(inner.a));
@@ -132,7 +132,7 @@ RawDesign designByMajorisation(const ExplorationProblem& problem, const DesignTa
     const QuadraticProgram program(task.response, task.gamma_w, design.amplitudes);
     const RelaxedSolution relaxed =
         solveRelaxed(program, program.toScaled(design.amplitudes), 1e-9);
-    const Certificate dual = task.certify(program.toCertificate(relaxed.Z));
+    const Certificate dual = task.certify(program.toRoot(relaxed.Z));
     if (dual.bound > design.certificate.bound) design.certificate = dual;
   }
   design.message =

@@ -19,12 +19,22 @@ constexpr double kEps = std::numeric_limits<double>::epsilon();
 constexpr std::uint64_t kDirectionStream = 0x646972656374;  // of this purpose alone
 constexpr std::uint64_t kSimpleDirections = 1 << 20;        // apart from the solver's random starts
 
-/// λ_max(H(Z)), from above: what rounding may have hidden in the sums of products is added.
-double largestEigenvalue(const PredictedResponse& response, const MatrixXd& Z) {
-  PredictedResponse sizes;
-  for (const MatrixXd& F : response.factors) sizes.factors.push_back(F.cwiseAbs());
-  const double rounding = 8.0 * kEps * sizes.gramOf(Z.cwiseAbs()).norm();
-  return quad_support::symmetricEigenvalues(response.gramOf(Z)).tail(1)(0) + rounding;
+/// F_a Y, a column each: products of columns are H(Y Yᵀ)_ab.
+MatrixXd weighted(const std::vector<MatrixXd>& factors, const MatrixXd& root) {
+  MatrixXd all(factors.front().rows() * root.cols(), static_cast<Index>(factors.size()));
+  for (std::size_t a = 0; a < factors.size(); ++a)
+    all.col(static_cast<Index>(a)) = (factors[a] * root).reshaped();
+  return all;
+}
+
+/// λ_max(H(Y Yᵀ)), from above: what rounding may have hidden in the sums of products is added.
+double largestEigenvalue(const PredictedResponse& response, const MatrixXd& root) {
+  const MatrixXd all = weighted(response.factors, root), sizes = all.cwiseAbs();
+  std::vector<MatrixXd> absolute;
+  for (const MatrixXd& F : response.factors) absolute.push_back(F.cwiseAbs());
+  const MatrixXd error = 2.0 * weighted(absolute, root.cwiseAbs()) + sizes;
+  const double rounding = 8.0 * kEps * (sizes.transpose() * error).norm();
+  return quad_support::symmetricEigenvalues(all.transpose() * all).tail(1)(0) + rounding;
 }
 
 /// The Lagrangian ½‖b‖² + t(½ bᵀG b + gᵀb + c) of a multiplier scaled by t.
@@ -68,18 +78,19 @@ struct ScaledLagrangian {
   }
 };
 
-ScaledLagrangian lagrangian(const DesignTask& task, const MatrixXd& Z, const VectorXd& nu,
+ScaledLagrangian lagrangian(const DesignTask& task, const MatrixXd& root, const VectorXd& nu,
                             double reward) {
+  const MatrixXd all = weighted(task.response.factors, root);
   ScaledLagrangian l;
-  l.G = -2.0 * task.response.gramOf(Z);
-  l.g = -2.0 * task.response.gramWithOffset(Z);
+  l.G = -2.0 * all.transpose() * all;
+  l.g = VectorXd::Zero(all.cols());
   l.c = reward;
   l.size = std::abs(reward);
   if (!task.response.homogeneous()) {
-    const MatrixXd& F = task.response.offset;
-    const double start = (F * Z).cwiseProduct(F).sum();
-    l.c -= start;
-    l.size += start;
+    const VectorXd start = weighted({task.response.offset}, root);
+    l.g = -2.0 * all.transpose() * start;
+    l.c -= start.squaredNorm();
+    l.size += start.squaredNorm();
   }
   for (Index k = 0; k < nu.size(); ++k) {
     const PeakConstraint& peak = task.peaks[static_cast<std::size_t>(k)];
@@ -157,29 +168,26 @@ VectorXd DesignTask::onBoundary(const VectorXd& direction) const {
   return excites(b) ? b : VectorXd();
 }
 
-Certificate DesignTask::certify(const MatrixXd& Z, const VectorXd& nu) const {
-  const quad_support::SymmetricEigen cone(Z);
-  const VectorXd positive = cone.values.cwiseMax(0.0);
-  Certificate certificate;
-  certificate.Z = cone.vectors * positive.asDiagonal() * cone.vectors.transpose();
-  certificate.Z = 0.5 * (certificate.Z + certificate.Z.transpose()).eval();
-  certificate.nu = nu.cwiseMax(0.0);
-  const Certificate nothing{MatrixXd::Zero(Z.rows(), Z.cols()), 0.0, 0.0 * nu};
-  const double reward = gamma_w * (required.size() > 0 ? required.cwiseProduct(certificate.Z).sum()
-                                                       : certificate.Z.trace());
+Certificate DesignTask::certify(const MatrixXd& root, const VectorXd& nu) const {
+  const Certificate nothing{MatrixXd::Zero(root.rows(), 1), 0.0, 0.0 * nu};
+  if (root.size() == 0 || !root.allFinite()) return nothing;
+  Certificate certificate{root, 0.0, nu.cwiseMax(0.0)};
+  const double reward =
+      gamma_w *
+      (required.size() > 0 ? (required * root).cwiseProduct(root).sum() : root.squaredNorm());
   if (response.homogeneous() && nu.size() == 0) {
-    const double largest = largestEigenvalue(response, certificate.Z);
+    const double largest = largestEigenvalue(response, root);
     const double square = reward / largest;
     if (!(largest > 0.0) || !std::isfinite(square) || !(square > 0.0)) return nothing;
-    certificate.Z /= 2.0 * largest;  // the multiplier of ½‖a‖²: 2 λ_max(H(Z)) = 1
+    certificate.root /= std::sqrt(2.0 * largest);  // the multiplier of ½‖a‖²: 2 λ_max(H(Z)) = 1
     certificate.bound = std::sqrt(square) * (1.0 - 1e-13);
     return certificate;
   }
-  const ScaledLagrangian l = lagrangian(*this, certificate.Z, certificate.nu, reward);
+  const ScaledLagrangian l = lagrangian(*this, root, certificate.nu, reward);
   const double t = l.bestScale();
   const double square = 2.0 * l.leastValue(t) + map.floor;
   if (!(square > 0.0) || !std::isfinite(square)) return nothing;
-  certificate.Z *= t;
+  certificate.root *= std::sqrt(t);
   certificate.nu *= t;
   certificate.bound = std::sqrt(square) * (1.0 - 1e-13);
   return certificate;

@@ -10,10 +10,11 @@
 
 namespace explore_opt {
 
-/// A multiplier (with those of the peak limits, of ½(‖Q_k a‖²/limit² - 1)) and the bound it proves.
+/// A multiplier Z = Y Yᵀ (with those of the peak limits, of ½(‖Q_k a‖²/limit² - 1)) and the bound it
+/// proves.
 struct Certificate {
-  Eigen::MatrixXd Z;
-  double bound = 0.0;  ///< 0 proves nothing
+  Eigen::MatrixXd root;  ///< Y
+  double bound = 0.0;    ///< 0 proves nothing
   Eigen::VectorXd nu;
 };
 
@@ -60,9 +61,9 @@ struct DesignTask {
   /// γ_e of a point.
   double costAt(const Eigen::VectorXd& b) const { return std::sqrt(b.squaredNorm() + map.floor); }
   /// No point of lower cost satisfies the constraints: the least value over a of the Lagrangian
-  /// with the positive parts of Z and ν, scaled as well as possible, less what rounding may have
+  /// with Y Yᵀ and the positive part of ν, scaled as well as possible, less what rounding may have
   /// added.
-  Certificate certify(const Eigen::MatrixXd& Z, const Eigen::VectorXd& nu = {}) const;
+  Certificate certify(const Eigen::MatrixXd& root, const Eigen::VectorXd& nu = {}) const;
   /// Amplitudes of a point as carriers x n_u; several runs one below the other.
   Eigen::MatrixXd table(const Eigen::VectorXd& b) const;
   Eigen::VectorXd components(const Eigen::MatrixXd& table) const;

@@ -7,6 +7,7 @@
 #include "constraint_shape.hpp"
 #include "design_tools.hpp"
 #include "peak_limits.hpp"
+#include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
@@ -53,10 +54,12 @@ void fill(const ExplorationProblem& problem, const DesignTask& single, const Raw
   result.iterations = raw.iterations;
   result.inner_gap = raw.inner_gap;
   result.relaxation_rank = raw.rank;
-  result.certificate = raw.certificate.Z;
   result.lower_bound = raw.certificate.bound;
-  if (raw.certificate.Z.size() > 0)
-    result.multiplier = ConstraintShape(problem).multiplier(raw.certificate.Z);
+  if (raw.certificate.root.size() > 0) {
+    result.certificate = raw.certificate.root * raw.certificate.root.transpose();
+    result.multiplier_root = ConstraintShape(problem).multiplierRoot(raw.certificate.root);
+    result.multiplier = result.multiplier_root * result.multiplier_root.transpose();
+  }
   for (Eigen::Index k = 0; k < raw.certificate.nu.size(); ++k) {
     const PeakConstraint& peak = raw.peaks[static_cast<std::size_t>(k)];
     const double value = raw.certificate.nu(k) / (peak.limit * peak.limit);
@@ -137,7 +140,7 @@ double lowerBound(const ExplorationProblem& problem, const Eigen::MatrixXd& cert
   const DesignTask task = taskOf(problem);
   requireShape(certificate, task.response.size(), task.response.size(), "certificate");
   requireFinite(certificate, "certificate");
-  return task.certify(certificate).bound;
+  return task.certify(quad_support::positiveRoot(certificate)).bound;
 }
 
 double scaledCost(const ExplorationProblem& problem, const Eigen::MatrixXd& amplitudes) {

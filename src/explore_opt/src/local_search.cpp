@@ -35,31 +35,30 @@ LocalSolution descend(const DesignTask& task, const QuadraticProgram& scaled, co
   if (a.size() == 0 || (solution.amplitudes.size() > 0 && a.norm() > solution.amplitudes.norm()))
     return solution;
   solution.amplitudes = a;
-  solution.Z = scaled.toCertificate(point.Z);
+  solution.root = scaled.toRoot(point.Z);
   solution.nu = scaled.toCost(1.0) * point.nu;
-  solution.optimal = satisfiesKkt(task, solution);
+  solution.optimal = satisfiesKkt(scaled, scaled.toScaled(a), point.Z, point.nu);
   solution.status = solution.optimal ? SolverStatus::kConverged : SolverStatus::kStalled;
   return solution;
 }
 
 }  // namespace
 
-bool satisfiesKkt(const DesignTask& task, const LocalSolution& solution) {
-  const VectorXd& a = solution.amplitudes;
-  const MatrixXd& Z = solution.Z;
-  VectorXd slope = a - 2.0 * task.response.gramOf(Z) * a - 2.0 * task.response.gramWithOffset(Z);
-  double slack = Z.cwiseProduct(task.response.information(a)).sum() - task.gamma_w * Z.trace();
-  for (Index k = 0; k < solution.nu.size(); ++k) {
-    const PeakConstraint& peak = task.peaks[static_cast<std::size_t>(k)];
-    slope += solution.nu(k) / (peak.limit * peak.limit) * peak.rows.transpose() *
-             (peak.rows * a + peak.offset);
-    slack += std::abs(solution.nu(k) * peak.room(a));
+bool satisfiesKkt(const QuadraticProgram& program, const VectorXd& a, const MatrixXd& Z,
+                  const VectorXd& nu) {
+  VectorXd slope = a - 2.0 * program.H(Z) * a;
+  for (int i = 0; i < program.numAmplitudes() && !program.homogeneous(); ++i)
+    slope(i) -= 2.0 * Z.cwiseProduct(program.S_0(i)).sum();
+  double slack = Z.cwiseProduct(program.N(a) - program.rightSide()).sum();
+  for (Index k = 0; k < nu.size(); ++k) {
+    const PeakConstraint& peak = program.peaks()[static_cast<std::size_t>(k)];
+    slope += nu(k) * peak.rows.transpose() * (peak.rows * a + peak.offset);
+    slack += std::abs(nu(k) * peak.room(a));
   }
   const double least = quad_support::symmetricEigenvalues(Z)(0);
   return slope.norm() <= kKktTolerance * a.norm() &&
          least >= -kKktTolerance * std::abs(Z.trace()) &&
-         (solution.nu.size() == 0 ||
-          solution.nu.minCoeff() >= -kKktTolerance * solution.nu.cwiseAbs().maxCoeff()) &&
+         (nu.size() == 0 || nu.minCoeff() >= -kKktTolerance * nu.cwiseAbs().maxCoeff()) &&
          std::abs(slack) <= kKktTolerance * a.squaredNorm();
 }
 
@@ -67,7 +66,6 @@ LocalSolution polish(const DesignTask& task, IpoptSolver& solver, const VectorXd
                      double margin, const Certificate* multiplier) {
   const QuadraticProgram scaled(task.response, task.gamma_w, start, task.peaks);
   LocalSolution solution;
-  solution.Z = MatrixXd::Zero(scaled.size(), scaled.size());
   solution.nu = VectorXd::Zero(static_cast<Index>(task.peaks.size()));
   solution.amplitudes = pulledBack(task, start);
   if (scaled.size() > kLargestFactorProgram)
@@ -78,7 +76,7 @@ LocalSolution polish(const DesignTask& task, IpoptSolver& solver, const VectorXd
   const double square = scaled.toCost(1.0);
   if (multiplier != nullptr && multiplier->nu.size() == solution.nu.size()) {
     from.multipliers =
-        program.multipliersOf(scaled.fromCertificate(multiplier->Z), multiplier->nu / square);
+        program.multipliersOf(scaled.fromRoot(multiplier->root), multiplier->nu / square);
   }
   const SolverAnswer answer = solver.solve(program, from);
   solution.status = answer.status;
@@ -89,10 +87,12 @@ LocalSolution polish(const DesignTask& task, IpoptSolver& solver, const VectorXd
   if (solution.amplitudes.size() > 0 && answer.status != SolverStatus::kConverged &&
       a.norm() > solution.amplitudes.norm())
     return solution;
+  const MatrixXd Z = program.certificateOf(answer.multipliers);
+  const VectorXd nu = program.peakMultipliersOf(answer.multipliers);
   solution.amplitudes = a;
-  solution.Z = scaled.toCertificate(program.certificateOf(answer.multipliers));
-  solution.nu = square * program.peakMultipliersOf(answer.multipliers);
-  solution.optimal = satisfiesKkt(task, solution);
+  solution.root = scaled.toRoot(Z);
+  solution.nu = square * nu;
+  solution.optimal = satisfiesKkt(scaled, scaled.toScaled(a), Z, nu);
   return solution;
 }
 

@@ -9,7 +9,7 @@ namespace explore_opt {
 /// Feasible amplitudes on the boundary, multipliers, and whether both satisfy the KKT conditions.
 struct LocalSolution {
   Eigen::VectorXd amplitudes;  ///< empty: none found
-  Eigen::MatrixXd Z;
+  Eigen::MatrixXd root;        ///< of the multiplier's positive part; empty: none found
   Eigen::VectorXd nu;
   bool optimal = false;
   SolverStatus status = SolverStatus::kFailed;
@@ -26,7 +26,9 @@ LocalSolution polish(const DesignTask& task, IpoptSolver& solver, const Eigen::V
 constexpr int kLargestFactorProgram = 12;
 
 /// a = 2 H(Z) a + 2 h(Z) - Σ ν_k Q_kᵀ(Q_k a), Z ⪰ 0, ν >= 0, complementarity, each to 1e-6 of its
-/// size: judged from the data, not by the solver.
-bool satisfiesKkt(const DesignTask& task, const LocalSolution& solution);
+/// size: judged from the data, not by the solver. All in the program's scaled coordinates, for in
+/// others the products cancel where responses grow.
+bool satisfiesKkt(const QuadraticProgram& program, const Eigen::VectorXd& a,
+                  const Eigen::MatrixXd& Z, const Eigen::VectorXd& nu);
 
 }  // namespace explore_opt

@@ -47,27 +47,6 @@ double PredictedResponse::lambdaMin(const VectorXd& a) const {
   return sigma * sigma;
 }
 
-MatrixXd PredictedResponse::gramOf(const MatrixXd& Z) const {
-  const int p = numAmplitudes();
-  MatrixXd h(p, p);
-  for (int a = 0; a < p; ++a) {
-    const MatrixXd weighted = factors[static_cast<std::size_t>(a)] * Z;
-    for (int b = 0; b <= a; ++b) {
-      h(a, b) = h(b, a) = weighted.cwiseProduct(factors[static_cast<std::size_t>(b)]).sum();
-    }
-  }
-  return h;
-}
-
-VectorXd PredictedResponse::gramWithOffset(const MatrixXd& Z) const {
-  VectorXd h = VectorXd::Zero(numAmplitudes());
-  if (homogeneous()) return h;
-  const MatrixXd weighted = offset * Z;
-  for (int a = 0; a < numAmplitudes(); ++a)
-    h(a) = weighted.cwiseProduct(factors[static_cast<std::size_t>(a)]).sum();
-  return h;
-}
-
 MatrixXd unitResponse(const ExplorationProblem& problem, int component) {
   validate(problem);
   require(component >= 0 && component < problem.numAmplitudes(), "component {}; must lie in 0..{}",

@@ -74,14 +74,13 @@ MatrixXd QuadraticProgram::H(const MatrixXd& Z) const {
   return h;
 }
 
-MatrixXd QuadraticProgram::toCertificate(const MatrixXd& Z) const {
-  return symmetric(scale_ * scale_ * C_ * Z * C_.transpose());
+MatrixXd QuadraticProgram::toRoot(const MatrixXd& Z) const {
+  return scale_ * C_ * quad_support::positiveRoot(Z);
 }
 
-MatrixXd QuadraticProgram::fromCertificate(const MatrixXd& Z) const {
-  const Eigen::PartialPivLU<MatrixXd> lu(C_);
-  const MatrixXd half = lu.solve(Z);  // C⁻¹ Z
-  return symmetric(lu.solve(half.transpose())) / (scale_ * scale_);
+MatrixXd QuadraticProgram::fromRoot(const MatrixXd& Y) const {
+  const MatrixXd scaled = Eigen::PartialPivLU<MatrixXd>(C_).solve(Y) / scale_;
+  return scaled * scaled.transpose();
 }
 
 }  // namespace explore_opt

@@ -53,9 +53,10 @@ class QuadraticProgram {
   Eigen::VectorXd toAmplitudes(const Eigen::VectorXd& a) const { return scale_ * a; }
   /// ½‖a‖² in the original units
   double toCost(double scaled_cost) const { return scale_ * scale_ * scaled_cost; }
-  /// Multiplier of the original constraint
-  Eigen::MatrixXd toCertificate(const Eigen::MatrixXd& Z) const;
-  Eigen::MatrixXd fromCertificate(const Eigen::MatrixXd& Z) const;  ///< and back
+  /// Y with Y Yᵀ the multiplier of the original constraint, of the positive part of Z. Where
+  /// responses grow over decades the product would lose the digits that C has put in place.
+  Eigen::MatrixXd toRoot(const Eigen::MatrixXd& Z) const;
+  Eigen::MatrixXd fromRoot(const Eigen::MatrixXd& Y) const;  ///< Z again
 
  private:
   static std::size_t index(int a, int b) {

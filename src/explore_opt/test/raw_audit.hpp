@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <cmath>
 #include <vector>
 
@@ -61,10 +62,15 @@ inline RealMatrix rawCloseness(const ExplorationProblem& problem) {
   return D;
 }
 
-/// The largest ratio G/γ_w with Eᵀ(Q ⊗ I)E ⪰ G EᵀDE: 1/λ_max of D relative to Q.
+/// The largest ratio G/γ_w with Eᵀ(Q ⊗ I)E ⪰ G EᵀDE: 1/λ_max of D relative to Q. From a QR of the
+/// T samples: with products of samples the answer would be that of the rounding where the condition
+/// number of Φ passes 1e6 (unstable systems).
 inline double rawLambdaMin(const ExplorationProblem& problem, const Eigen::MatrixXd& amplitudes) {
   const int n = problem.numRegressors(), nx = problem.numStates();
-  const RealMatrix phi = rawRegressor(problem, amplitudes), Q = phi * phi.transpose();
+  const RealMatrix samples = rawRegressor(problem, amplitudes).transpose();
+  RealMatrix R = RealMatrix::Zero(std::max<Eigen::Index>(samples.rows(), n), n);
+  R.topRows(samples.rows()) = samples;
+  R = RealMatrix(Eigen::HouseholderQR<RealMatrix>(R).matrixQR().topRows(n));
   const bool kronecker = problem.D_des.rows() != n * nx;
   std::vector<Eigen::Index> entries;
   const int rows = kronecker && problem.known.size() == 0 ? 1 : nx;  // else they repeat
@@ -76,51 +82,43 @@ inline double rawLambdaMin(const ExplorationProblem& problem, const Eigen::Matri
   }
   const auto m = static_cast<Eigen::Index>(entries.size());
   const RealMatrix D = rawCloseness(problem);
-  RealMatrix information(m, m), wanted(m, m);
+  RealMatrix root = RealMatrix::Zero(n * rows, m), wanted(m, m);  // columns of R ⊗ I
   for (Eigen::Index a = 0; a < m; ++a) {
-    for (Eigen::Index b = 0; b < m; ++b) {
-      const auto i = entries[std::size_t(a)], j = entries[std::size_t(b)];
-      information(a, b) = i % nx == j % nx ? Q(i / nx, j / nx) : Real(0);
-      wanted(a, b) = D(i, j);
-    }
+    const auto i = entries[std::size_t(a)];
+    for (int k = 0; k <= i / nx; ++k) root(k * rows + i % nx, a) = R(k, i / nx);
+    for (Eigen::Index b = 0; b < m; ++b) wanted(a, b) = D(i, entries[std::size_t(b)]);
   }
-  const RealVector scale = information.diagonal().cwiseSqrt().cwiseInverse();
-  information = scale.asDiagonal() * information * scale.asDiagonal();
-  wanted = scale.asDiagonal() * wanted * scale.asDiagonal();
-  const Eigen::LLT<RealMatrix> llt(information);
-  if (llt.info() != Eigen::Success) return 0.0;
-  RealMatrix half = llt.matrixL().solve(wanted);
-  half = llt.matrixL().solve(half.transpose().eval());
+  const RealVector scale = root.colwise().norm().cwiseInverse();
+  root = (root * scale.asDiagonal()).eval();
+  wanted = (scale.asDiagonal() * wanted * scale.asDiagonal()).eval();
+  const RealMatrix U = Eigen::HouseholderQR<RealMatrix>(root).matrixQR().topRows(m);
+  if (!(U.diagonal().cwiseAbs().minCoeff() > Real(0))) return 0.0;
+  const auto lower = U.transpose().triangularView<Eigen::Lower>();
+  RealMatrix half = lower.solve(wanted);
+  half = lower.solve(RealMatrix(half.transpose()));
   const Real largest =
       Eigen::SelfAdjointEigenSolver<RealMatrix>(half).eigenvalues()(half.rows() - 1);
   return static_cast<double>(1 / (largest * Real(problem.gamma_w)));
 }
 
-/// The bound `result.multiplier` and `peak_multipliers` prove: the least value over a of
+/// The bound `result.multiplier_root` and `peak_multipliers` prove: the least value over a of
 /// ½γ_e(a)² - tr M(Q(a)[⊗ I] - γ_w D) + Σ ½ν_k(‖u_k(a)‖² - u_max²), as a norm. The quadratic is
 /// found from unit responses; a multiplier for θ enters through its sum over the rows of Θ.
 inline double rawBound(const ExplorationProblem& problem, const DesignResult& result) {
   const int n = problem.numRegressors(), nx = problem.numStates(), nu = problem.numInputs(),
             p = problem.numAmplitudes(), T = problem.lines.num_samples;
-  RealMatrix M = RealMatrix::Zero(n, n);
+  const RealMatrix Y = result.multiplier_root.cast<Real>(), D = rawCloseness(problem);
+  const auto r = Y.cols();
+  RealMatrix root(Y.rows() == n ? r : r * nx, n);  // ‖root φ‖² = tr(Y Yᵀ(φφᵀ [⊗ I]))
   Real reward = 0;
-  if (result.multiplier.rows() == n) {
-    M = result.multiplier.cast<Real>();
-    const RealMatrix D = rawCloseness(problem);
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < n; ++j) reward += M(i, j) * D(i * nx, j * nx);
-    }
+  if (Y.rows() == n) {
+    root = Y.transpose();
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) reward += Y.row(i).dot(Y.row(j)) * D(i * nx, j * nx);
   } else {
-    reward = result.multiplier.cast<Real>().cwiseProduct(rawCloseness(problem)).sum();
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < n; ++j) {
-        for (int k = 0; k < nx; ++k) M(i, j) += Real(result.multiplier(i * nx + k, j * nx + k));
-      }
-    }
+    for (int j = 0; j < n; ++j) root.col(j) = Y.middleRows(j * nx, nx).reshaped();
+    reward = Y.cwiseProduct(D * Y).sum();
   }
-  const Eigen::SelfAdjointEigenSolver<RealMatrix> eigen(M);
-  const RealMatrix root = eigen.eigenvalues().cwiseMax(Real(0)).cwiseSqrt().asDiagonal() *
-                          eigen.eigenvectors().transpose();
   std::vector<RealMatrix> responses;  // to each component, and to x_0
   for (int a = 0; a < p; ++a) {
     Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(p / nu, nu);

@@ -128,9 +128,17 @@ TEST(Audit, FindsWhatWasTamperedWith) {
   tampered.gap = 0.5;
   EXPECT_EQ(failures(problem, tampered), "gap ");
 
+  tampered = honest;  // the multiplier alone proves as much as its root, ...
+  tampered.multiplier_root = Eigen::MatrixXd();
+  EXPECT_EQ(failures(problem, tampered), "");
+  tampered.multiplier(2, 2) *= 1.05;  // ... a forged one less
+  EXPECT_EQ(failures(problem, tampered), "lower_bound ");
+  tampered = honest;
+  tampered.multiplier_root(2, 2) *= 1.05;
+  EXPECT_EQ(failures(problem, tampered), "lower_bound ");
   tampered = honest;  // another Z proves less
   tampered.certificate = Eigen::MatrixXd::Identity(3, 3);
-  tampered.multiplier = Eigen::MatrixXd();
+  tampered.multiplier = tampered.multiplier_root = Eigen::MatrixXd();
   EXPECT_EQ(failures(problem, tampered), "lower_bound ");
   tampered.certificate = -honest.certificate;  // not ⪰ 0: its positive part is nothing
   EXPECT_EQ(failures(problem, tampered), "lower_bound ");
@@ -152,9 +160,65 @@ TEST(Audit, FindsWhatWasTamperedWith) {
 TEST(Audit, ScaledCertificatesProveTheSame) {
   const ExplorationProblem problem = thesisProblem(Phase::kSin);
   DesignClaims claims = claimsOf(problem, designExploration(problem));
-  claims.certificate *= 1e-7;
+  claims.multiplier_root *= 1e5;
+  EXPECT_EQ(failures(problem, claims), "");
+  claims.multiplier_root = Eigen::MatrixXd();
   claims.multiplier *= 1e5;
   EXPECT_EQ(failures(problem, claims), "");
+  claims.multiplier = Eigen::MatrixXd();
+  claims.certificate *= 1e-7;
+  EXPECT_EQ(failures(problem, claims), "");
+}
+
+TEST(Audit, FindsABrokenPeakLimitAndForgedPeakMultipliers) {
+  ExplorationProblem problem = thesisProblem(Phase::kCos);
+  const DesignResult free = designExploration(problem);  // its peak is above 5
+  problem.u_max = Eigen::VectorXd::Constant(1, 5.0);
+  const DesignResult limited = designExploration(problem);
+  ASSERT_TRUE(limited.feasible()) << limited.message;
+  const DesignClaims honest = claimsOf(problem, limited);
+  ASSERT_EQ(failures(problem, honest), "");
+  ASSERT_FALSE(honest.peak_multipliers.empty());
+
+  EXPECT_EQ(failures(problem, claimsOf(problem, free)), "peak ");
+  for (const AuditCheck& check : audit(problem, claimsOf(problem, free)).checks) {
+    if (check.name != "peak") continue;
+    EXPECT_NE(check.finding.find("u_max = 5"), std::string::npos) << check.finding;
+  }
+
+  DesignClaims forged = honest;
+  for (DesignClaims::Peak& peak : forged.peak_multipliers) peak.value *= 1.5;
+  EXPECT_EQ(failures(problem, forged), "lower_bound ");
+  forged = honest;
+  for (DesignClaims::Peak& peak : forged.peak_multipliers) peak.value *= -1.0;
+  EXPECT_EQ(failures(problem, forged), "lower_bound ");
+  forged = honest;
+  forged.peak_multipliers.front().sample += 20;  // at an instant that does not bind
+  EXPECT_EQ(failures(problem, forged), "lower_bound ");
+  forged = honest;  // without them the bound is that of the free problem
+  forged.peak_multipliers.clear();
+  EXPECT_EQ(failures(problem, forged), "lower_bound ");
+  forged = honest;
+  forged.peak_multipliers.front().sample = 370;
+  EXPECT_THROW(audit(problem, forged), quad_support::DataError);
+}
+
+/// Unstable for 122 samples: the information spans 13 decades and responses cancel to a thousandth.
+TEST(Audit, ProvesTheBoundWhereResponsesGrow) {
+  ExplorationProblem problem;
+  problem.A = randomMatrix(212, 0, 4, 4);
+  problem.A *= 1.09 / problem.A.eigenvalues().cwiseAbs().maxCoeff();
+  problem.B = randomMatrix(212, 1, 4, 1);
+  problem.lines = {150, {3, 11, 23, 31, 47, 62}, {}};
+  problem.phase = Phase::kBoth;
+  problem.gamma_w = 2.0;
+  problem.D_des = Eigen::MatrixXd::Constant(1, 1, 30.0);
+  const DesignResult design = designExploration(problem);
+  EXPECT_EQ(design.status, DesignStatus::kSolved) << design.message;
+  EXPECT_LT(design.gap, 1e-5);
+  const AuditReport report = audit(problem, claimsOf(problem, design));
+  for (const AuditCheck& check : report.checks) EXPECT_TRUE(check.passed) << check.finding;
+  EXPECT_NEAR(report.lambda_min, 1.0, 1e-9);
 }
 
 TEST(Audit, RefusesWhatDoesNotFit) {

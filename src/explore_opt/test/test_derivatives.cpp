@@ -129,13 +129,13 @@ TEST(QuadraticProgram, IsTheSameProblemInOtherCoordinates) {
     // tr Ẑ(N̂ - R̂) · s² = tr Z (N - γ_w I): the Lagrangian is the same number. Congruences of
     // condition 1e3 round.
     const double hat = Z.cwiseProduct(s.program.N(scaled) - s.program.rightSide()).sum();
-    const MatrixXd original = s.program.toCertificate(Z);
+    const MatrixXd root = s.program.toRoot(Z), original = root * root.transpose();
     const double plain = original
                              .cwiseProduct(s.task.response.information(a) -
                                            s.task.gamma_w * MatrixXd::Identity(n, n))
                              .sum();
     EXPECT_NEAR(plain, hat * s.reference.squaredNorm(), 1e-9 * std::abs(plain));
-    EXPECT_LT((s.program.fromCertificate(original) - Z).norm(), 1e-9 * Z.norm());
+    EXPECT_LT((s.program.fromRoot(root) - Z).norm(), 1e-9 * Z.norm());
     if (s.program.homogeneous()) {
       EXPECT_NEAR(scaled.dot(s.program.H(Z) * scaled), Z.cwiseProduct(s.program.N(scaled)).sum(),
                   1e-11 * Z.norm() * p);
@@ -262,7 +262,7 @@ TEST(Relaxation, ThePeakLimitHasItsShare) {  // u_max as one more row: the bound
   ASSERT_TRUE(relaxed.converged);
   EXPECT_GT(relaxed.nu(0), 1e-3);  // 5.7 without it
   const Certificate bound =
-      task.certify(program.toCertificate(relaxed.Z), program.toCost(1.0) * relaxed.nu);
+      task.certify(program.toRoot(relaxed.Z), program.toCost(1.0) * relaxed.nu);
   EXPECT_GT(bound.bound, 3.3194);
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     const VectorXd a = task.onBoundary(randomDirection(task, 7, seed));

@@ -22,6 +22,12 @@ MatrixXd inverseSquareRoot(const MatrixXd& m) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(m).operatorInverseSqrt();
 }
 
+MatrixXd positiveRoot(const MatrixXd& m) {
+  const SymmetricEigen eigen(m);
+  const Eigen::Index count = (eigen.values.array() > 0.0).count();  // the last ones
+  return eigen.vectors.rightCols(count) * eigen.values.tail(count).cwiseSqrt().asDiagonal();
+}
+
 VectorXd singularValues(const MatrixXd& m) {
   return Eigen::JacobiSVD<MatrixXd>(m).singularValues();
 }

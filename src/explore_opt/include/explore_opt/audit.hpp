@@ -15,6 +15,7 @@ struct DesignClaims {
   double gamma_e = 0.0, lower_bound = 0.0, gap = 0.0;
   Eigen::MatrixXd certificate;  ///< Z in coordinates normalised by D_des^{-1/2}; may be empty
   Eigen::MatrixXd multiplier;   ///< M in raw coordinates; may be empty
+  Eigen::MatrixXd multiplier_root;  ///< Y, M = Y Yᵀ, taken instead if there is one
   struct Peak {
     int sample = 0, input = -1;
     double value = 0.0;
@@ -47,8 +48,8 @@ struct AuditReport {
 ///   feasible     Σ_k φ_k φ_kᵀ [⊗ I] ⪰ γ_w D_des (1 - 1e-9) on the unknown entries
 ///   cost         γ_e of the amplitudes equals the claim to 1e-9
 ///   lower_bound  ½γ_e² - tr M₊(Q [⊗ I] - γ_w D_des) + Σ ½ν_k (‖u_k‖² - u_max²) has a least value
-///                over all amplitudes, for M₊ the positive part of the multiplier scaled as well as
-///                possible; the claim must not exceed it by more than 1e-6 (relative)
+///                over all amplitudes, for M₊ = Y Yᵀ or the positive part of the multiplier, scaled
+///                as well as possible; the claim must not exceed it by more than 1e-6 (relative)
 ///   gap          is (γ_e - lower_bound)/γ_e, and not below -1e-9
 ///   peak         no input above u_max (1 + 1e-9), where there is a limit
 /// @throws quad_support::DataError for claims whose shapes do not fit the problem

@@ -18,7 +18,7 @@ ExplorationProblem problemFromJson(const std::string& text, const std::string& s
 
 /// The answer with keys status, method, amplitudes ([[α_1 of n_u], ...] or {"cos", "sin"}),
 /// gamma_e, lower_bound, gap, certificate, lambda_min, iterations ({gamma_e, step, inner_gap,
-/// amplitudes}), inner_gap, seconds, message, multiplier, relaxation_rank; with u_max also
+/// amplitudes}), inner_gap, seconds, message, multiplier, multiplier_root, relaxation_rank; with u_max also
 /// peak_multipliers ({sample, input or null, value}) and peak; with several experiments amplitudes
 /// is null and `experiments` lists those of each run. A value that does not exist is null. Doubles
 /// are printed so that they read back the same.

@@ -100,6 +100,9 @@ struct DesignResult {
   /// ½γ_e(a)² - tr M (Q(a)[⊗ I] - γ_w D_des) + Σ ½ν_k (‖u_k(a)‖² - u_max²).
   /// Size n_φ (D ⊗ I, nothing known) or n_φ n_x.
   Eigen::MatrixXd multiplier;
+  /// Y with M = Y Yᵀ: where responses grow over many decades M has too few digits to prove the bound,
+  /// Y has them
+  Eigen::MatrixXd multiplier_root;
   /// ν_k > 0
   std::vector<PeakMultiplier> peak_multipliers;
   /// Rank of the relaxation's solution 𝒜 (eigenvalues above 1e-4 of the largest); 1: the bound is

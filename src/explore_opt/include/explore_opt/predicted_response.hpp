@@ -28,11 +28,6 @@ struct PredictedResponse {
   Eigen::MatrixXd information(const Eigen::VectorXd& a) const;  ///< N(a)
   /// λ_min(N(a)), from singular values of factor(a)
   double lambdaMin(const Eigen::VectorXd& a) const;
-
-  /// H(Z)_ab = tr(Z S_ab), S_ab = (F_aᵀ F_b + F_bᵀ F_a)/2; p x p. @param Z  symmetric, n x n
-  Eigen::MatrixXd gramOf(const Eigen::MatrixXd& Z) const;
-  /// tr(Z sym(F_0ᵀ F_a)); zero if x_0 = 0
-  Eigen::VectorXd gramWithOffset(const Eigen::MatrixXd& Z) const;
 };
 
 /// Regressors φ_k = [x_k; u_k], n_φ x T, of the nominal system from rest with unit amplitude of

@@ -19,6 +19,9 @@ Eigen::VectorXd symmetricEigenvalues(const Eigen::MatrixXd& m);
 /// m^{-1/2}, the symmetric root, of a symmetric positive definite m.
 Eigen::MatrixXd inverseSquareRoot(const Eigen::MatrixXd& m);
 
+/// Y with Y Yᵀ the positive part of a symmetric m; as many columns as it has positive eigenvalues.
+Eigen::MatrixXd positiveRoot(const Eigen::MatrixXd& m);
+
 /// Singular values of m, descending, to full relative accuracy of the largest (one-sided Jacobi).
 Eigen::VectorXd singularValues(const Eigen::MatrixXd& m);
 
