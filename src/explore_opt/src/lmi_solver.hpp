@@ -41,7 +41,8 @@ struct LmiSolution {
 
 /// Primal-dual path following in Nesterov's and Todd's scaling, with Mehrotra's corrector. Every y
 /// stays strictly feasible, so bᵀy is a valid value whenever it stops. The step's normal equations
-/// are solved by a QR of their root: no digits are lost to forming the product.
+/// are formed by products of large matrices, factorised by Cholesky and refined; where that does
+/// not reach full accuracy, near the end, by a QR of their root.
 /// @param start  strictly feasible
 /// @param gap    of bᵀy, absolute; the residual is asked for to the same size
 /// @param stop_above  ends early once bᵀy exceeds it (an unbounded program does sooner or later)

@@ -45,6 +45,19 @@ MatrixXd extendedH(const QuadraticProgram& program, const MatrixXd& Z) {
   return H;
 }
 
+/// Entry (i, j) of all S_ab, the constant last: extendedH() of a unit matrix.
+MatrixXd entriesOf(const QuadraticProgram& program, int i, int j) {
+  const int p = program.numAmplitudes();
+  MatrixXd H = MatrixXd::Zero(order(program), order(program));
+  for (int a = 0; a < p; ++a) {
+    for (int b = 0; b <= a; ++b) H(a, b) = H(b, a) = program.S(a, b)(i, j);
+  }
+  if (program.homogeneous()) return H;
+  for (int a = 0; a < p; ++a) H(a, p) = H(p, a) = program.S_0(a)(i, j);
+  H(p, p) = program.S_00()(i, j);
+  return H;
+}
+
 int numMultipliers(const QuadraticProgram& program) {
   return program.size() * (program.size() + 1) / 2;
 }
@@ -70,9 +83,10 @@ RelaxedSolution fromDual(const QuadraticProgram& program, const LmiSolution& sol
   return relaxed;
 }
 
-RelaxedSolution fromLifted(const QuadraticProgram& program, const LmiSolution& solution) {
+RelaxedSolution fromLifted(const QuadraticProgram& program, const LmiProgram& lmi,
+                           const LmiSolution& solution) {
   const int p = program.numAmplitudes();
-  const MatrixXd X = liftedProgram(program).blocks[0].at(solution.y);
+  const MatrixXd X = lmi.blocks[0].at(solution.y);
   RelaxedSolution relaxed;
   relaxed.Z = solution.multipliers[1];
   relaxed.lifted = X.topLeftCorner(p, p);
@@ -94,11 +108,9 @@ LmiProgram dualProgram(const QuadraticProgram& program) {
   slack.count = count;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j <= i; ++j) {
-      MatrixXd E = MatrixXd::Zero(n, n);
-      E(i, j) = E(j, i) = 1.0;
       lmi.reward(static_cast<Index>(slack.slopes.size())) =
-          program.rightSide().cwiseProduct(E).sum();
-      slack.slopes.push_back(-2.0 * extendedH(program, E));
+          (i == j ? 1.0 : 2.0) * program.rightSide()(i, j);
+      slack.slopes.push_back((i == j ? -2.0 : -4.0) * entriesOf(program, i, j));
     }
   }
   for (const PeakConstraint& peak : program.peaks()) {
@@ -192,7 +204,7 @@ RelaxedSolution solveRelaxed(const QuadraticProgram& program, const VectorXd& re
     // With x_0 the relaxation of 1.5 â may lie outside; the other program has a sure start.
     if (lmi.blocks[1].at(start).llt().info() == Eigen::Success) {
       const LmiSolution solution = solveLmi(lmi, start, gap);
-      RelaxedSolution relaxed = fromLifted(program, solution);
+      RelaxedSolution relaxed = fromLifted(program, lmi, solution);
       relaxed.nu.resize(0);
       relaxed.gap = solution.gap;
       relaxed.iterations = solution.iterations;
