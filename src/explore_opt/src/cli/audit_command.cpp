@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -9,9 +8,8 @@
 #include "quad_support/errors.hpp"
 
 namespace explore_opt {
-namespace {
 
-constexpr const char* kHelp = R"(Example:
+const char* const kAuditHelp = R"(Example:
   echo '{"A": [[1, 0.1635], [0, 1]], "B": [[0.0214], [0.2617]], "T": 370, "harmonics": [3, 6, 8, 10],
          "phase": "sin", "gamma_w": 20, "D_des": 100}' > problem.json
   explore_opt design problem.json --out design.json
@@ -21,11 +19,7 @@ eigenvalue problem each for feasibility and bound. Shares no code with the solve
 Says what it checked on standard output with --out, else on standard error, and the JSON on standard output.
 Exit code 0: every check passed; 3: one did not; 2: bad input.)";
 
-struct Settings {
-  std::string problem, design, out;
-};
-
-int auditDesign(const Settings& settings) {
+int runAudit(const AuditSettings& settings) {
   const ExplorationProblem problem =
       problemFromJson(quad_support::readFile(settings.problem), settings.problem);
   const AuditReport report = audit(
@@ -39,19 +33,6 @@ int auditDesign(const Settings& settings) {
   if (report.passed()) return quad_support::kDone;
   std::fprintf(stderr, "explore_opt: %s: the audit found what is wrong\n", settings.design.c_str());
   return quad_support::kNegativeAnswer;
-}
-
-}  // namespace
-
-Action addAuditCommand(CLI::App& app) {
-  const auto settings = std::make_shared<Settings>();
-  CLI::App* command =
-      app.add_subcommand("audit", "Recomputes what a design claims, independently of the solvers");
-  command->footer(kHelp);
-  command->add_option("problem", settings->problem, "Problem in JSON")->required();
-  command->add_option("design", settings->design, "Answer of design")->required();
-  command->add_option("--out", settings->out, "File for the answer; default: standard output");
-  return [settings] { return auditDesign(*settings); };
 }
 
 }  // namespace explore_opt

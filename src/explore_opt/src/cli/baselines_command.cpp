@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -12,11 +11,8 @@
 #include "quad_support/errors.hpp"
 
 namespace explore_opt {
-namespace {
 
-using nlohmann::ordered_json;
-
-constexpr const char* kHelp = R"(Example:
+const char* const kBaselinesHelp = R"(Example:
   echo '{"A": [[1, 0.1635], [0, 1]], "B": [[0.0214], [0.2617]], "T": 370, "harmonics": [3, 6, 8, 10],
          "phase": "sin", "gamma_w": 20, "D_des": 100}' > problem.json
   explore_opt baselines problem.json --seeds 5 --out baselines.json
@@ -24,12 +20,9 @@ Every signal is scaled until the noise-free response of the nominal system meets
 sqrt(2 energy/T), comparable with gamma_e. Random ones: median of the seeds. The table goes to standard output with --out,
 else to standard error, and the JSON to standard output.
 Exit code 0: done; 3: there is no targeted design to compare with; 2: bad input.)";
+namespace {
 
-struct Settings {
-  std::string problem, design, out;
-  std::vector<double> band;
-  BaselineOptions options;
-};
+using nlohmann::ordered_json;
 
 ordered_json numberOrNull(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
@@ -58,7 +51,9 @@ std::string table(const std::vector<BaselineCost>& rows) {
   return text;
 }
 
-int compare(const Settings& settings) {
+}  // namespace
+
+int runBaselines(const BaselinesSettings& settings) {
   const ExplorationProblem problem =
       problemFromJson(quad_support::readFile(settings.problem), settings.problem);
   BaselineOptions options = settings.options;
@@ -83,27 +78,6 @@ int compare(const Settings& settings) {
   writeAnswer(settings.out, prettyJson(out));
   std::fputs(table(rows).c_str(), settings.out.empty() ? stderr : stdout);
   return quad_support::kDone;
-}
-
-}  // namespace
-
-Action addBaselinesCommand(CLI::App& app) {
-  const auto settings = std::make_shared<Settings>();
-  CLI::App* command = app.add_subcommand(
-      "baselines", "What noise, PRBS, chirp, multisines and classical designs must cost instead");
-  command->footer(kHelp);
-  command->add_option("problem", settings->problem, "Problem in JSON")->required();
-  command->add_option("--out", settings->out, "File for the answer; default: standard output");
-  command->add_option("--seeds", settings->options.seeds, "Draws of each random signal")
-      ->capture_default_str();
-  command->add_option("--seed", settings->options.seed, "Of the random signals and starts")
-      ->capture_default_str();
-  command
-      ->add_option("--band", settings->band,
-                   "LOW HIGH [cycles per sample] of band_limited and chirp; default: from the "
-                   "lowest line to the highest")
-      ->expected(2);
-  return [settings] { return compare(*settings); };
 }
 
 }  // namespace explore_opt

@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -9,9 +8,8 @@
 #include "quad_support/errors.hpp"
 
 namespace explore_opt {
-namespace {
 
-constexpr const char* kHelp = R"(Example:
+const char* const kDesignHelp = R"(Example:
   echo '{"A": [[1, 0.1635], [0, 1]], "B": [[0.0214], [0.2617]], "T": 370, "harmonics": [3, 6, 8, 10],
          "phase": "sin", "gamma_w": 20, "D_des": 100}' > problem.json
   explore_opt design problem.json --out design.json
@@ -22,13 +20,7 @@ experiments (runs with amplitudes of their own). The answer's amplitudes: a row 
 same rows or a whole answer; only their direction counts, the size is scaled to the boundary.
 Exit code 0: amplitudes found; 3: there are none, or they are not trustworthy (see "status"); 2: bad input.)";
 
-struct Settings {
-  std::string problem, method = "global", initial, out, dump;
-  DesignOptions options;
-  bool plain = false;
-};
-
-int design(const Settings& settings) {
+int runDesign(const DesignSettings& settings) {
   const std::string text = quad_support::readFile(settings.problem);
   const ExplorationProblem problem = problemFromJson(text, settings.problem);
   DesignOptions options = settings.options;
@@ -39,7 +31,8 @@ int design(const Settings& settings) {
       throw quad_support::DataError("--initial has no effect on method global; add --method mm");
     }
     options.initial_amplitudes =
-        amplitudesFromJson(quad_support::readFile(settings.initial), settings.initial, problem);
+        amplitudesFromJson(quad_support::readFile(settings.initial), settings.initial, problem)
+            .reshaped<Eigen::RowMajor>();
   }
   const DesignResult result = designExploration(problem, options);
   if (!settings.dump.empty()) writeAnswer(settings.dump, dumpDesign(text, options, result));
@@ -50,41 +43,6 @@ int design(const Settings& settings) {
   std::fprintf(stderr, "explore_opt: %s: %s: %s\n", settings.problem.c_str(),
                toString(result.status).c_str(), result.message.c_str());
   return quad_support::kNegativeAnswer;
-}
-
-}  // namespace
-
-Action addDesignCommand(CLI::App& app) {
-  const auto settings = std::make_shared<Settings>();
-  DesignOptions& options = settings->options;
-  CLI::App* command =
-      app.add_subcommand("design", "Amplitudes of least norm that guarantee the desired closeness");
-  command->footer(kHelp);
-  command->add_option("problem", settings->problem, "Problem in JSON")->required();
-  command->add_option("--method", settings->method, "global: certified; mm: the paper's algorithm")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"global", "mm"}));
-  command->add_option("--out", settings->out, "File for the answer; default: standard output");
-  command->add_option("--dump", settings->dump,
-                      "File for problem, options and answer; see replay");
-  command->add_option("--seed", options.seed, "Of random starts")->capture_default_str();
-  command
-      ->add_option("--starts", options.random_starts, "global: random starts while the gap is open")
-      ->capture_default_str();
-  command->add_option("--initial", settings->initial,
-                      "mm: JSON file with the candidate to start at; default: ones, or a search");
-  command->add_option("--max-iterations", options.max_iterations, "mm: re-linearisations")
-      ->capture_default_str();
-  command
-      ->add_option("--cost-tolerance", options.cost_tolerance,
-                   "mm: relative change of gamma_e to stop at")
-      ->capture_default_str();
-  command
-      ->add_option("--step-tolerance", options.step_tolerance,
-                   "mm: relative change of amplitudes to stop at")
-      ->capture_default_str();
-  command->add_flag("--plain", settings->plain, "mm: without lengthening steps, as in the paper");
-  return [settings] { return design(*settings); };
 }
 
 }  // namespace explore_opt

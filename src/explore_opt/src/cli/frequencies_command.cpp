@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -11,23 +10,17 @@
 #include "quad_support/errors.hpp"
 
 namespace explore_opt {
-namespace {
 
-using nlohmann::ordered_json;
-
-constexpr const char* kHelp = R"(Example:
+const char* const kFrequenciesHelp = R"(Example:
   echo '{"A": [[0.98, 0.19], [-0.19, 0.98]], "B": [[0], [0.2]], "T": 500, "phase": "cos", "gamma_w": 1, "D_des": 10}' > system.json
   explore_opt frequencies system.json --lines 3 --problem problem.json --out bode.json
   explore_opt design problem.json --out design.json
 harmonics: the lines chosen, shares: their parts of the power. bode: the data of the picture: frequency [cycles per sample],
 gain and phase [rad] (a column for each state and input), power (of the best steady-state signal).
 Lines already in the file play no part. Exit code 0: done; 3: unstable (add K), or nothing excites; 2: bad input.)";
+namespace {
 
-struct Settings {
-  std::string system, problem, out;
-  std::vector<double> band;
-  FrequencyOptions options;
-};
+using nlohmann::ordered_json;
 
 ordered_json toJson(const FrequencyChoice& choice, int T) {
   ordered_json out = {{"harmonics", choice.harmonics}, {"frequencies", ordered_json::array()}};
@@ -42,7 +35,9 @@ ordered_json toJson(const FrequencyChoice& choice, int T) {
   return out;
 }
 
-int choose(const Settings& settings) {
+}  // namespace
+
+int runFrequencies(const FrequenciesSettings& settings) {
   auto json = parseJson(quad_support::readFile(settings.system), settings.system);
   if (json.is_object()) {
     json.erase("frequencies");
@@ -61,24 +56,6 @@ int choose(const Settings& settings) {
   }
   writeAnswer(settings.out, prettyJson(toJson(choice, problem.lines.num_samples)));
   return quad_support::kDone;
-}
-
-}  // namespace
-
-Action addFrequenciesCommand(CLI::App& app) {
-  const auto settings = std::make_shared<Settings>();
-  CLI::App* command = app.add_subcommand(
-      "frequencies", "Lines for a design, by the frequency response; data of its picture");
-  command->footer(kHelp);
-  command->add_option("system", settings->system, "Problem in JSON, with or without lines")
-      ->required();
-  command->add_option("--lines", settings->options.lines, "How many; default: n_x + n_u");
-  command->add_option("--band", settings->band, "LOW HIGH [cycles per sample]; default: all")
-      ->expected(2);
-  command->add_option("--problem", settings->problem,
-                      "File for the problem with the lines chosen, ready for design");
-  command->add_option("--out", settings->out, "File for the answer; default: standard output");
-  return [settings] { return choose(*settings); };
 }
 
 }  // namespace explore_opt

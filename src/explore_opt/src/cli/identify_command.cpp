@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -14,9 +13,8 @@
 #include "quad_support/number_format.hpp"
 
 namespace explore_opt {
-namespace {
 
-constexpr const char* kHelp = R"(Example:
+const char* const kIdentifyHelp = R"(Example:
   printf 'x,u\n0,1\n0.5,1\n0.76,-1\n-0.13,-1\n-0.55,\n' > data.csv
   explore_opt identify data.csv --states x --inputs u --gamma-w 0.01 --D 20 --function 'gain = B1/A11'
   printf '[[0.5, 0.5]]' > candidate.json
@@ -25,24 +23,22 @@ Row k holds x_k and u_k; the last row's inputs are ignored. known.json is [A B] 
 Several files are several experiments on one system: each is judged, then all together (G, lambda_D_bd and intervals are
 those of an ellipsoid around the intersection of their sets). lower, upper: the interval of each entry of [A B].
 Exit code 0: done; 3: gamma_w falsified, condition not met, candidate not a member, or data not exciting; 2: bad input.)";
-
-struct Settings {
-  std::vector<std::string> data;
-  std::string where, closeness, known, candidate, out;
-  std::vector<std::string> states, inputs, functions;
-  std::vector<double> gamma_w;
-};
+namespace {
 
 /// A number on the command line or a JSON file with a number or a matrix.
 Eigen::MatrixXd readCloseness(const std::string& text) {
+  double number = 0.0;
   try {
-    return Eigen::MatrixXd::Constant(1, 1, quad_support::parseDouble(text));
+    number = quad_support::parseDouble(text);
   } catch (const std::invalid_argument&) {  // then it is a file
+    return closenessFromJson(quad_support::readFile(text), text);
   }
-  return closenessFromJson(quad_support::readFile(text), text);
+  const Eigen::MatrixXd D = Eigen::MatrixXd::Constant(1, 1, number);
+  requireCloseness(D, "--D");
+  return D;
 }
 
-std::vector<DataSet> readData(const Settings& settings) {
+std::vector<DataSet> readData(const IdentifySettings& settings) {
   const auto& bounds = settings.gamma_w;
   if (bounds.size() != 1 && bounds.size() != settings.data.size()) {
     throw quad_support::DataError(
@@ -58,7 +54,9 @@ std::vector<DataSet> readData(const Settings& settings) {
   return sets;
 }
 
-int run(const Settings& settings) {
+}  // namespace
+
+int runIdentify(const IdentifySettings& settings) {
   IdentificationRequest request;
   request.functions = settings.functions;
   if (!settings.closeness.empty()) request.closeness = readCloseness(settings.closeness);
@@ -74,43 +72,6 @@ int run(const Settings& settings) {
   if (text.empty()) return quad_support::kDone;
   std::fprintf(stderr, "explore_opt: %s\n", text.c_str());
   return quad_support::kNegativeAnswer;
-}
-
-}  // namespace
-
-Action addIdentifyCommand(CLI::App& app) {
-  const auto settings = std::make_shared<Settings>();
-  CLI::App* command = app.add_subcommand(
-      "identify", "Least squares and the set of parameters the data leave possible");
-  command->footer(kHelp);
-  command->add_option("data", settings->data, "Tables in CSV, a row a sample, T+1 rows")
-      ->required();
-  command->add_option("--states", settings->states, "Columns of the states")
-      ->delimiter(',')
-      ->required();
-  command->add_option("--inputs", settings->inputs, "Columns of the inputs")
-      ->delimiter(',')
-      ->required();
-  command->add_option("--where", settings->where, "Only the rows with column=value");
-  command
-      ->add_option("--gamma-w", settings->gamma_w,
-                   "Bound on the energy of the disturbance, above 0; several files: one or one "
-                   "each")
-      ->delimiter(',')
-      ->required();
-  command->add_option("--D", settings->closeness,
-                      "Desired closeness: a number or a JSON file; default: not judged");
-  command->add_option("--known", settings->known,
-                      "JSON file with the known entries of [A B], null where unknown");
-  command
-      ->add_option("--function", settings->functions,
-                   "Whose interval is asked: 'A12/B2', 'm = 0.1/B2', '2*A12 - B1'; may be repeated")
-      ->expected(1)
-      ->take_all();
-  command->add_option("--contains", settings->candidate,
-                      "JSON file with an [A B]: do the data leave it possible?");
-  command->add_option("--out", settings->out, "File for the answer; default: standard output");
-  return [settings] { return run(*settings); };
 }
 
 }  // namespace explore_opt

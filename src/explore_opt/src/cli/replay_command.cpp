@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -9,9 +8,8 @@
 #include "quad_support/errors.hpp"
 
 namespace explore_opt {
-namespace {
 
-constexpr const char* kHelp = R"(Example:
+const char* const kReplayHelp = R"(Example:
   echo '{"A": [[1, 0.1635], [0, 1]], "B": [[0.0214], [0.2617]], "T": 370, "harmonics": [3, 6, 8, 10],
          "phase": "sin", "gamma_w": 20, "D_des": 100}' > problem.json
   explore_opt design problem.json --out design.json --dump dump.json
@@ -19,11 +17,7 @@ constexpr const char* kHelp = R"(Example:
 Solves the problem of a dump again, with its options, and writes the new answer.
 Exit code 0: the same status and gamma_e (to 1e-9); 3: another answer; 2: bad input.)";
 
-struct Settings {
-  std::string dump, out;
-};
-
-int replayOnce(const Settings& settings) {
+int runReplay(const ReplaySettings& settings) {
   const Replay replay = replayDesign(quad_support::readFile(settings.dump), settings.dump);
   writeAnswer(settings.out, prettyJson(designToJson(replay.problem, replay.result)));
   if (replay.agrees()) return quad_support::kDone;
@@ -31,17 +25,6 @@ int replayOnce(const Settings& settings) {
                settings.dump.c_str(), replay.recorded_status.c_str(), replay.recorded_gamma_e,
                toString(replay.result.status).c_str(), replay.result.gamma_e);
   return quad_support::kNegativeAnswer;
-}
-
-}  // namespace
-
-Action addReplayCommand(CLI::App& app) {
-  const auto settings = std::make_shared<Settings>();
-  CLI::App* command = app.add_subcommand("replay", "Repeats a solve from its dump and compares");
-  command->footer(kHelp);
-  command->add_option("dump", settings->dump, "File of design --dump")->required();
-  command->add_option("--out", settings->out, "File for the answer; default: standard output");
-  return [settings] { return replayOnce(*settings); };
 }
 
 }  // namespace explore_opt
