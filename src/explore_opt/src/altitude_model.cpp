@@ -16,16 +16,6 @@ void requireGravity(double gravity) {
 
 }  // namespace
 
-LinearSystem continuousAltitudeModel(double mass, double gravity) {
-  requirePositive(mass, "mass [kg]");
-  requireGravity(gravity);
-  LinearSystem model;
-  model.A = (Eigen::Matrix2d() << 0.0, 1.0, 0.0, 0.0).finished();
-  model.B = Eigen::Vector2d(0.0, 1.0 / mass);
-  model.W = Eigen::Vector2d(0.0, -gravity);
-  return model;
-}
-
 LinearSystem altitudeModel(double mass, double sampling_period, double gravity) {
   requirePositive(mass, "mass [kg]");
   requirePositive(sampling_period, "sampling period [s]");

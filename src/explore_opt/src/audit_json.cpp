@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "amplitude_tables.hpp"
 #include "explore_opt/audit.hpp"
 #include "json_matrix.hpp"
 #include "quad_support/errors.hpp"
@@ -31,42 +32,6 @@ int wholeNumber(const json& object, const char* key, const std::string& source) 
   return static_cast<int>(value);
 }
 
-/// The rows, with both phases those of the cosines and below them those of the sines.
-Eigen::MatrixXd table(const json& value, Phase phase, const std::string& source) {
-  if (phase != Phase::kBoth) return matrixFromJson(value, source + ": amplitudes");
-  if (!value.is_object() || !value.contains("cos") || !value.contains("sin")) {
-    throw ConfigError(
-        fmt::format("{}: amplitudes need \"cos\" and \"sin\", for phase is both", source));
-  }
-  const Eigen::MatrixXd cosines = matrixFromJson(value.at("cos"), source + ": amplitudes cos"),
-                        sines = matrixFromJson(value.at("sin"), source + ": amplitudes sin");
-  if (cosines.rows() != sines.rows() || cosines.cols() != sines.cols())
-    throw ConfigError(fmt::format("{}: amplitudes have unequal cos and sin", source));
-  Eigen::MatrixXd both(2 * cosines.rows(), cosines.cols());
-  both << cosines, sines;
-  return both;
-}
-
-/// One table, or with several experiments a list of them.
-Eigen::MatrixXd amplitudes(const json& value, Phase phase, const std::string& source) {
-  const bool list =
-      value.is_array() && !value.empty() &&
-      (value.front().is_object() ||
-       (value.front().is_array() && !value.front().empty() && value.front().front().is_array()));
-  if (!list) return table(value, phase, source);
-  Eigen::MatrixXd all;
-  for (const json& run : value) {
-    const Eigen::MatrixXd one = table(run, phase, source);
-    if (all.size() > 0 && one.cols() != all.cols())
-      throw ConfigError(fmt::format("{}: amplitudes of the experiments differ in shape", source));
-    Eigen::MatrixXd longer(all.rows() + one.rows(), one.cols());
-    if (all.size() > 0) longer.topRows(all.rows()) = all;
-    longer.bottomRows(one.rows()) = one;
-    all = longer;
-  }
-  return all;
-}
-
 Eigen::MatrixXd optionalMatrix(const json& object, const char* key, const std::string& source) {
   if (!object.contains(key) || object.at(key).is_null() || object.at(key).empty()) return {};
   return matrixFromJson(object.at(key), source + ": " + key);
@@ -84,7 +49,7 @@ DesignClaims claimsFromJson(const std::string& text, const std::string& source,
   claims.gap = number(object, "gap", source);
   const char* key = object.contains("experiments") ? "experiments" : "amplitudes";
   if (!object.contains(key)) throw ConfigError(fmt::format("{}: {} are missing", source, key));
-  claims.amplitudes = amplitudes(object.at(key), problem.phase, source);
+  claims.amplitudes = amplitudeTables(object.at(key), problem.phase, source);
   claims.certificate = optionalMatrix(object, "certificate", source);
   claims.multiplier = optionalMatrix(object, "multiplier", source);
   claims.multiplier_root = optionalMatrix(object, "multiplier_root", source);

@@ -72,12 +72,22 @@ BaselineSpec specOf(const ExplorationProblem& problem, BaselineKind kind,
   return spec;
 }
 
-std::vector<Scaled> overSeeds(const ExplorationProblem& problem, BaselineSpec spec, int seeds) {
-  std::vector<Scaled> costs;
-  for (int i = 0; i < seeds; ++i) {
-    spec.run = static_cast<std::uint64_t>(i);
-    costs.push_back(scaled(problem, baselineSignal(spec)));
+/// Of all experiments side by side: another draw in each, or the same signal again.
+MatrixXd signalsOf(const ExplorationProblem& problem, BaselineSpec spec, int draw) {
+  const Eigen::Index T = spec.num_samples;
+  MatrixXd all(spec.num_inputs, T * problem.experiments);
+  for (int i = 0; i < problem.experiments; ++i) {
+    spec.run = static_cast<std::uint64_t>(draw) * static_cast<std::uint64_t>(problem.experiments) +
+               static_cast<std::uint64_t>(i);
+    all.middleCols(i * T, T) = baselineSignal(spec);
   }
+  return all;
+}
+
+std::vector<Scaled> overSeeds(const ExplorationProblem& problem, const BaselineSpec& spec,
+                              int seeds) {
+  std::vector<Scaled> costs;
+  for (int i = 0; i < seeds; ++i) costs.push_back(scaled(problem, signalsOf(problem, spec, i)));
   return costs;
 }
 
@@ -101,7 +111,7 @@ BaselineCost bestLine(const ExplorationProblem& problem, BaselineSpec spec) {
     if (grid) spec.lines.harmonics = {problem.lines.harmonics[i]};
     if (!grid) spec.lines.frequencies = {f[i]};
     const BaselineCost cost = summary("line", fmt::format("{:.4g} cycles/sample", f[i]),
-                                      {scaled(problem, baselineSignal(spec))});
+                                      {scaled(problem, signalsOf(problem, spec, 0))});
     if (!best || cost.cost < best->cost) best = cost;
   }
   return *best;
@@ -121,10 +131,18 @@ BaselineCost costOf(const ExplorationProblem& problem, BaselineKind kind,
   return summary(toString(kind), note, overSeeds(problem, spec, seeds));
 }
 
+/// @param amplitudes  of every experiment one below the other, or of one that all repeat
 BaselineCost costOfAmplitudes(const ExplorationProblem& problem, const std::string& name,
                               const MatrixXd& amplitudes) {
   if (amplitudes.size() == 0) return summary(name, "", {Scaled{}});
-  return summary(name, "", {scaled(problem, multisine(problem.lines, problem.phase, amplitudes))});
+  const Eigen::Index T = problem.lines.num_samples,
+                     rows = numCarriers(problem.lines, problem.phase);
+  MatrixXd signals(problem.numInputs(), T * problem.experiments);
+  for (Eigen::Index i = 0; i < problem.experiments; ++i) {
+    signals.middleCols(i * T, T) = multisine(
+        problem.lines, problem.phase, amplitudes.middleRows(i * rows % amplitudes.rows(), rows));
+  }
+  return summary(name, "", {scaled(problem, signals)});
 }
 
 }  // namespace
@@ -133,8 +151,8 @@ std::vector<BaselineCost> compareBaselines(const ExplorationProblem& problem,
                                            const MatrixXd& amplitudes,
                                            const BaselineOptions& options) {
   validate(problem);
-  require(problem.experiments == 1,
-          "experiments = {}; signals are compared one experiment at a time", problem.experiments);
+  const int carriers = numCarriers(problem.lines, problem.phase) * problem.experiments;
+  requireShape(amplitudes, carriers, problem.numInputs(), "amplitudes");
   require(options.seeds >= 1 && options.seeds <= 100000, "seeds = {}; must be 1 to 100000",
           options.seeds);
   std::vector<BaselineCost> rows = {costOfAmplitudes(problem, "targeted", amplitudes)};

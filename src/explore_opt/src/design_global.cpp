@@ -132,7 +132,11 @@ class Search {
     const double cost = task_.costAt(design_.amplitudes);
     return cost > 0.0 ? 1.0 - design_.certificate.bound / cost : 0.0;
   }
+  bool found() const { return design_.amplitudes.size() > 0; }
+  const VectorXd& best() const { return design_.amplitudes; }
   bool optimal() const { return optimal_; }
+  void tried() { ++starts_; }
+  int starts() const { return starts_; }
   int solves() const { return solves_; }
   int failures() const { return failures_; }
 
@@ -152,10 +156,17 @@ class Search {
   const DesignTask& task_;
   RawDesign& design_;
   bool optimal_ = false;
-  int solves_ = 0, failures_ = 0;
+  int starts_ = 1, solves_ = 0, failures_ = 0;
 };
 
-/// Further starts, every other one drawn from the relaxation, until the gap is closed.
+/// Whether two local minima are the same up to sign: they are when they cost the same and point in
+/// almost the same direction.
+bool same(const VectorXd& a, const VectorXd& b) {
+  return std::abs(a.dot(b)) > (1.0 - 1e-4) * a.norm() * b.norm();
+}
+
+/// Further starts, every other one drawn from the relaxation, until the gap is closed. Only those
+/// are polished that lead to something cheaper, or to as cheap a point elsewhere.
 void searchOn(Search& search, const DesignTask& task, const Relaxed* relaxed,
               const DesignOptions& options, IpoptSolver& solver) {
   for (int i = 0; i < options.random_starts && search.gap() > options.gap_tolerance; ++i) {
@@ -165,7 +176,16 @@ void searchOn(Search& search, const DesignTask& task, const Relaxed* relaxed,
                                    ? drawn(task, *relaxed, options.seed, index)
                                    : randomDirection(task, options.seed, index);
     if (!std::isfinite(task.cost(direction))) continue;
-    search.add(polish(task, solver, task.onBoundary(direction), 0.2, nullptr));
+    search.tried();
+    const VectorXd start = task.onBoundary(direction);
+    if (!task.peaks.empty() || !search.found()) {
+      search.add(polish(task, solver, start, 0.2, nullptr));
+      continue;
+    }
+    const VectorXd seen = glimpse(task, start);
+    if (seen.size() == 0 || seen.norm() > (1.0 + 2e-4) * search.best().norm()) continue;
+    if (seen.norm() < (1.0 - 2e-4) * search.best().norm() || !same(seen, search.best()))
+      search.add(polish(task, solver, seen, 1e-2, nullptr));
   }
 }
 
@@ -191,7 +211,7 @@ void conclude(const Search& search, const DesignOptions& options, const DesignTa
     design.status = DesignStatus::kSolved;
     design.message =
         fmt::format("best local optimum of {} starts; certified within {:.2g} of the global one{}",
-                    search.solves(), search.gap(), advice(design, task));
+                    search.starts(), search.gap(), advice(design, task));
   } else {
     design.status = DesignStatus::kReducedAccuracy;
     design.message =

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "amplitude_tables.hpp"
 #include "json_matrix.hpp"
 #include "quad_support/errors.hpp"
 
@@ -225,32 +226,24 @@ ordered_json designToJson(const ExplorationProblem& problem, const DesignResult&
   return out;
 }
 
-Eigen::VectorXd amplitudesFromJson(const std::string& text, const std::string& source,
+Eigen::MatrixXd amplitudesFromJson(const std::string& text, const std::string& source,
                                    const ExplorationProblem& problem) {
   json value = parseJson(text, source);
-  if (value.is_object() && value.contains("amplitudes")) value = json(value["amplitudes"]);
-  json rows = value;
-  if (problem.phase == Phase::kBoth) {
-    const bool both = value.is_object() && value.size() == 2 && value.contains("cos") &&
-                      value.contains("sin") && value["cos"].is_array() && value["sin"].is_array() &&
-                      value["cos"].size() == value["sin"].size();
-    if (!both) {
-      throw ConfigError(
-          fmt::format("{}: amplitudes; must be {{\"cos\": [[...], ...], \"sin\": [[...], ...]}} "
-                      "with as many rows "
-                      "each, for phase is both",
-                      source));
-    }
-    rows = value["cos"];
-    rows.insert(rows.end(), value["sin"].begin(), value["sin"].end());
+  for (const char* key : {"experiments", "amplitudes"}) {
+    if (value.is_object() && value.contains(key) && !value[key].is_null()) value = json(value[key]);
   }
-  const Eigen::MatrixXd m = matrixFromJson(rows, source + ": amplitudes");
+  const Eigen::MatrixXd m = amplitudeTables(value, problem.phase, source);
   const int carriers = numCarriers(problem.lines, problem.phase);
-  if (m.rows() != carriers || m.cols() != problem.numInputs()) {
-    throw ConfigError(fmt::format("{}: amplitudes are {} x {}; must be {} carriers x {} inputs",
-                                  source, m.rows(), m.cols(), carriers, problem.numInputs()));
+  if (m.rows() != Eigen::Index{carriers} * problem.experiments || m.cols() != problem.numInputs()) {
+    throw ConfigError(fmt::format("{}: amplitudes are {} x {}; must be {} carriers x {} inputs{}",
+                                  source, m.rows(), m.cols(), carriers, problem.numInputs(),
+                                  problem.experiments == 1
+                                      ? ""
+                                      : fmt::format(" for each of {} experiments, one table below "
+                                                    "the other",
+                                                    problem.experiments)));
   }
-  return m.reshaped<Eigen::RowMajor>();
+  return m;
 }
 
 }  // namespace explore_opt

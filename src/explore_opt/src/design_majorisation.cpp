@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "checks.hpp"
 #include "design_tools.hpp"
@@ -28,17 +30,37 @@ void record(const DesignTask& task, RawDesign& design, const VectorXd& a, double
   design.inner_gap = gap;
 }
 
+/// The cheapest of random directions. Several experiments must not begin alike: what is the same in
+/// all of them stays the same in every step.
+VectorXd unlikeExperiments(const DesignTask& task, std::uint64_t seed) {
+  VectorXd best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint64_t i = 0; i < 32; ++i) {
+    const VectorXd direction = randomDirection(task, seed, i);
+    const double cost = task.cost(direction);
+    if (cost >= least) continue;
+    least = cost;
+    best = direction;
+  }
+  return best.size() > 0 ? task.onBoundary(best) : best;
+}
+
 VectorXd startOf(const ExplorationProblem& problem, const DesignTask& task,
                  const DesignOptions& options, RawDesign& design) {
   const auto p = task.response.numAmplitudes();
   if (options.initial_amplitudes.size() > 0) {
     requireShape(options.initial_amplitudes, p, 1, "initial amplitudes");
-    const VectorXd candidate = task.map.toNormalised(options.initial_amplitudes);
+    const VectorXd candidate = task.components(
+        options.initial_amplitudes.reshaped<Eigen::RowMajor>(p / task.num_inputs, task.num_inputs));
     if (std::isfinite(task.cost(candidate))) return task.onBoundary(candidate);
     design.message =
         "the initial amplitudes do not excite all parameters; change their direction, size does "
         "not matter";
     return {};
+  }
+  if (task.runs > 1) {
+    const VectorXd start = unlikeExperiments(task, options.seed);
+    if (start.size() > 0) return start;
   }
   if (problem.numInputs() == 1 && std::isfinite(task.cost(VectorXd::Ones(p))))
     return task.onBoundary(VectorXd::Ones(p));  // equal inputs are all but singular for n_u >= 2
@@ -111,8 +133,9 @@ bool iterate(const DesignTask& task, const DesignOptions& options, RawDesign& de
 
 }  // namespace
 
-RawDesign designByMajorisation(const ExplorationProblem& problem, const DesignTask& task,
+RawDesign designByMajorisation(const ExplorationProblem& problem, const DesignTask& single,
                                const DesignOptions& options) {
+  const DesignTask task = single.replicated(problem.experiments);
   RawDesign design;
   const VectorXd start = startOf(problem, task, options, design);
   if (start.size() == 0) {
@@ -128,11 +151,12 @@ RawDesign designByMajorisation(const ExplorationProblem& problem, const DesignTa
   }
   const bool converged = iterate(task, options, design);
   if (!converged) design.status = DesignStatus::kIterationLimit;
-  if (isSmallEnough(task)) {
-    const QuadraticProgram program(task.response, task.gamma_w, design.amplitudes);
-    const RelaxedSolution relaxed =
-        solveRelaxed(program, program.toScaled(design.amplitudes), 1e-9);
-    const Certificate dual = task.certify(program.toRoot(relaxed.Z));
+  const auto reference = task.runs == 1 ? std::optional<VectorXd>(design.amplitudes)
+                                        : cheapestSimpleDirection(single, options.seed);
+  if (isSmallEnough(single) && reference) {
+    const QuadraticProgram program(single.response, single.gamma_w, *reference);
+    const RelaxedSolution relaxed = solveRelaxed(program, program.toScaled(*reference), 1e-9);
+    const Certificate dual = single.certify(program.toRoot(relaxed.Z));
     if (dual.bound > design.certificate.bound) design.certificate = dual;
   }
   design.message =

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden_section.hpp"
 #include "quad_support/linear_algebra.hpp"
 #include "quad_support/random_stream.hpp"
 
@@ -53,28 +54,9 @@ struct ScaledLagrangian {
     return t * c - 0.5 * t * t * g.dot(x) - 8.0 * kEps * t * size;
   }
 
-  /// The t of the largest leastValue(t), a concave function: golden section on [0, 2].
+  /// The t of the largest leastValue(t), a concave function. Beyond some t there is no least value.
   double bestScale() const {
-    constexpr double kGolden = 0.6180339887498949;
-    double low = 0.0, high = 2.0;
-    double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-    double at_a = leastValue(a), at_b = leastValue(b);
-    for (int i = 0; i < 80; ++i) {
-      if (at_a >= at_b || !std::isfinite(at_b)) {
-        high = b;
-        b = a;
-        at_b = at_a;
-        a = high - kGolden * (high - low);
-        at_a = leastValue(a);
-      } else {
-        low = a;
-        a = b;
-        at_a = at_b;
-        b = low + kGolden * (high - low);
-        at_b = leastValue(b);
-      }
-    }
-    return low;
+    return goldenSection([this](double t) { return leastValue(t); }, 0.0, 2.0, 80);
   }
 };
 
@@ -172,9 +154,8 @@ Certificate DesignTask::certify(const MatrixXd& root, const VectorXd& nu) const 
   const Certificate nothing{MatrixXd::Zero(root.rows(), 1), 0.0, 0.0 * nu};
   if (root.size() == 0 || !root.allFinite()) return nothing;
   Certificate certificate{root, 0.0, nu.cwiseMax(0.0)};
-  const double reward =
-      gamma_w *
-      (required.size() > 0 ? (required * root).cwiseProduct(root).sum() : root.squaredNorm());
+  const double reward = gamma_w * (required.size() > 0 ? (required * root).cwiseProduct(root).sum()
+                                                       : root.squaredNorm());
   if (response.homogeneous() && nu.size() == 0) {
     const double largest = largestEigenvalue(response, root);
     const double square = reward / largest;
@@ -204,8 +185,13 @@ MatrixXd DesignTask::table(const VectorXd& b) const {
 }
 
 VectorXd DesignTask::components(const MatrixXd& table) const {
-  const MatrixXd transposed = table.transpose();
-  return map.toNormalised(Eigen::Map<const VectorXd>(transposed.data(), transposed.size()));
+  const VectorXd a = table.reshaped<Eigen::RowMajor>();
+  const Index p = a.size() / runs;
+  VectorXd b(a.size());
+  for (int i = 0; i < runs; ++i)
+    b.segment(i * p, p) =
+        map.toNormalised(a.segment(i * p, p)) / std::sqrt(static_cast<double>(runs));
+  return b;
 }
 
 DesignTask DesignTask::replicated(int r) const {

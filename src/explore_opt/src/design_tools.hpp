@@ -10,8 +10,8 @@
 
 namespace explore_opt {
 
-/// A multiplier Z = Y Yᵀ (with those of the peak limits, of ½(‖Q_k a‖²/limit² - 1)) and the bound it
-/// proves.
+/// A multiplier Z = Y Yᵀ (with those of the peak limits, of ½(‖Q_k a‖²/limit² - 1)) and the bound
+/// it proves.
 struct Certificate {
   Eigen::MatrixXd root;  ///< Y
   double bound = 0.0;    ///< 0 proves nothing

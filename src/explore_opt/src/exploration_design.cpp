@@ -12,10 +12,13 @@
 namespace explore_opt {
 namespace {
 
+constexpr int kMostStarts = 10000;
+
 void validate(const DesignOptions& options) {
   requirePositive(options.gap_tolerance, "gap tolerance");
-  require(options.random_starts >= 0, "random starts = {}; must be 0 or above",
-          options.random_starts);
+  require(options.random_starts >= 0 && options.random_starts <= kMostStarts,
+          "random starts = {}; must lie in 0..{}: after a few hundred others find nothing cheaper",
+          options.random_starts, kMostStarts);
   requirePositive(options.cost_tolerance, "cost tolerance");
   requirePositive(options.step_tolerance, "step tolerance");
   requirePositive(options.inner_gap, "inner gap");
@@ -28,8 +31,9 @@ void validate(const DesignOptions& options) {
 /// Combinations a method does not solve are the caller's mistake.
 void validateFor(const ExplorationProblem& problem, const DesignOptions& options) {
   if (options.method == DesignMethod::kMm) {
-    require(problem.u_max.size() == 0, "method mm knows no u_max; use method global");
-    require(problem.experiments == 1, "method mm designs one experiment; use method global");
+    require(problem.u_max.size() == 0,
+            "method mm knows no u_max: its relaxations need a start within the limit, which only "
+            "method global finds; use method global");
   }
   require(problem.u_max.size() == 0 || problem.experiments == 1,
           "u_max with experiments = {} is not solved; leave one of them out", problem.experiments);

@@ -1,11 +1,13 @@
 #include "explore_opt/fusion.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
 #include "checks.hpp"
+#include "golden_section.hpp"
 #include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
@@ -16,12 +18,16 @@ using Eigen::MatrixXd;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kSweeps = 12;
+constexpr double kLargestCondition = 1e10;  // as of a single fit
+constexpr double kLeastPart = 1e-6;         // so that sets which only together determine all do
 
 using Weights = std::vector<double>;
 using Score = std::function<double(const Weights&)>;
 
 /// Golden section along the exchange of weight between two sets; the score is quasi-concave.
-void exchange(const Score& score, std::size_t a, std::size_t b, Weights& weights, double& best) {
+/// @param least  part of their weight that each of the two keeps
+void exchange(const Score& score, double least, std::size_t a, std::size_t b, Weights& weights,
+              double& best) {
   const double both = weights[a] + weights[b];
   const auto scoreAt = [&](double part) {
     Weights trial = weights;
@@ -29,25 +35,8 @@ void exchange(const Score& score, std::size_t a, std::size_t b, Weights& weights
     trial[b] = (1.0 - part) * both;
     return score(trial);
   };
-  constexpr double kGolden = 0.61803398874989485;
-  double low = 0.0, high = 1.0, left = 1.0 - kGolden, right = kGolden;
-  double at_left = scoreAt(left), at_right = scoreAt(right);
-  for (int i = 0; i < 40; ++i) {
-    if (at_left >= at_right) {
-      high = right;
-      right = left;
-      at_right = at_left;
-      left = high - kGolden * (high - low);
-      at_left = scoreAt(left);
-    } else {
-      low = left;
-      left = right;
-      at_left = at_right;
-      right = low + kGolden * (high - low);
-      at_right = scoreAt(right);
-    }
-  }
-  for (const double part : {0.0, 1.0, 0.5 * (low + high)}) {
+  const double inside = goldenSection(scoreAt, least, 1.0 - least, 40);
+  for (const double part : {least, 1.0 - least, inside}) {
     const double value = scoreAt(part);
     if (value <= best) continue;
     best = value;
@@ -56,19 +45,40 @@ void exchange(const Score& score, std::size_t a, std::size_t b, Weights& weights
   }
 }
 
-Weights maximise(const Score& score, Weights weights) {
+Weights maximise(const Score& score, double least, Weights weights) {
   double best = score(weights);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     const double before = best;
     for (std::size_t a = 0; a < weights.size(); ++a) {
-      for (std::size_t b = a + 1; b < weights.size(); ++b) exchange(score, a, b, weights, best);
+      for (std::size_t b = a + 1; b < weights.size(); ++b)
+        exchange(score, least, a, b, weights, best);
     }
     if (!(best > before + 1e-9 * std::abs(before))) break;
   }
   return weights;
 }
 
+/// σ_max/σ_min of a root with its columns scaled to length one.
+double conditionOf(const MatrixXd& root) {
+  const Eigen::VectorXd lengths = root.colwise().norm();
+  if (!(lengths.minCoeff() > 0.0)) return kInfinity;
+  const Eigen::VectorXd sigma =
+      quad_support::singularValues(root * lengths.cwiseInverse().asDiagonal());
+  return sigma(0) / sigma(sigma.size() - 1);
+}
+
 }  // namespace
+
+bool determineAll(const std::vector<FeasibleSet>& sets) {
+  require(!sets.empty(), "no data set to fuse");
+  const Index n = sets.front().root.cols();
+  MatrixXd stacked(static_cast<Index>(sets.size()) * n, n);
+  for (std::size_t j = 0; j < sets.size(); ++j) {
+    requireShape(sets[j].root, n, n, "a data set's root");
+    stacked.middleRows(static_cast<Index>(j) * n, n) = sets[j].root;
+  }
+  return conditionOf(stacked) <= kLargestCondition;
+}
 
 FeasibleSet fusedWith(const std::vector<FeasibleSet>& sets, const std::vector<double>& weights) {
   require(!sets.empty() && sets.size() == weights.size(), "{} sets and {} weights", sets.size(),
@@ -100,15 +110,20 @@ FeasibleSet fusedWith(const std::vector<FeasibleSet>& sets, const std::vector<do
 
 FusedSet fuse(const std::vector<FeasibleSet>& sets, const MatrixXd& closeness) {
   require(!sets.empty(), "no data set to fuse");
+  require(determineAll(sets), "the data sets do not determine all parameters, not even together");
   const Weights equal(sets.size(), 1.0 / static_cast<double>(sets.size()));
+  const bool each = std::all_of(sets.begin(), sets.end(), [](const FeasibleSet& set) {
+    return conditionOf(set.root) <= kLargestCondition;
+  });
+  const double least = each ? 0.0 : kLeastPart;
   const auto emptiness = [&](const Weights& w) { return -fusedWith(sets, w).G; };
-  const Weights emptiest = maximise(emptiness, equal);
+  const Weights emptiest = maximise(emptiness, least, equal);
   if (emptiness(emptiest) > 0.0) return {fusedWith(sets, emptiest), emptiest};
   const auto precision = [&](const Weights& w) {
     const FeasibleSet set = fusedWith(sets, w);
     return set.G > 0.0 ? informationMargin(set, closeness) / set.G : kInfinity;
   };
-  const Weights best = maximise(precision, equal);
+  const Weights best = maximise(precision, least, equal);
   return {fusedWith(sets, best), best};
 }
 

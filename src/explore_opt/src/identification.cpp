@@ -25,11 +25,32 @@ Estimate startEstimate(const DataSet& data, const Fit& fit) {
   return estimate;
 }
 
-Estimate estimateAll(const DataSet& data) {
-  const LeastSquaresFit fit = fitLeastSquares(data.X, data.U);
+/// @param several  other data may determine what these leave open: the set is then a cylinder
+Estimate estimateAll(const DataSet& data, bool several) {
+  const bool enough = data.U.cols() >= data.X.rows() + data.U.rows();
+  LeastSquaresFit fit =
+      several && !enough ? openFit(data.X, data.U) : fitLeastSquares(data.X, data.U);
+  if (several && enough && !fit.exciting) fit = openFit(data.X, data.U);
   Estimate estimate = startEstimate(data, fit);
-  if (fit.exciting) estimate.set = feasibleSet(fit, data.gamma_w);
+  if (fit.exciting) {
+    estimate.set = feasibleSet(fit, data.gamma_w);
+  } else if (several) {
+    estimate.set.center = fit.Theta;
+    estimate.set.root = fit.root;
+    estimate.set.gamma_w = data.gamma_w;
+    estimate.set.G = data.gamma_w - fit.residual_energy;
+  }
   return estimate;
+}
+
+/// What was not determined by one data set alone but is by all of them.
+bool excitingTogether(const Identification& found) {
+  const bool each = std::all_of(found.data_sets.begin(), found.data_sets.end(),
+                                [](const Estimate& e) { return e.exciting; });
+  if (each || found.data_sets.size() == 1 || !found.free.empty()) return each;
+  std::vector<FeasibleSet> sets;
+  for (const Estimate& estimate : found.data_sets) sets.push_back(estimate.set);
+  return determineAll(sets);
 }
 
 /// Values at the free entries, as one row.
@@ -185,12 +206,11 @@ Identification identify(const std::vector<DataSet>& data, const IdentificationRe
             set.U.rows(), nx, nu);
     out.data_sets.push_back(request.known.size() > 0
                                 ? estimateStructured(set, request.known, out.free)
-                                : estimateAll(set));
+                                : estimateAll(set, data.size() > 1));
   }
   const Coordinates coordinates(request.known, out.free, nx, nx + nu);
   if (request.candidate) coordinates.restrict(*request.candidate);  // checks it
-  out.exciting = std::all_of(out.data_sets.begin(), out.data_sets.end(),
-                             [](const Estimate& e) { return e.exciting; });
+  out.exciting = excitingTogether(out);
   if (!out.exciting) return out;
   fuseEstimates(request, coordinates, out);
   addAnswers(request, coordinates, functions, out);
@@ -198,8 +218,13 @@ Identification identify(const std::vector<DataSet>& data, const IdentificationRe
 }
 
 std::string complaint(const Identification& v) {
+  if (!v.exciting && v.data_sets.size() > 1 && v.free.empty()) {
+    return fmt::format(
+        "the {} data sets do not determine [A B], not even together; excite what each leaves open",
+        v.data_sets.size());
+  }
   for (const Estimate& e : v.data_sets) {
-    if (e.exciting) continue;
+    if (e.exciting || v.exciting) continue;
     return fmt::format(
         "{}: the data do not determine [A B]: condition {:.3g} of the scaled regressor, smallest "
         "singular value {:.3g}; excite more",

@@ -1,11 +1,14 @@
 #include "explore_opt/identification_json.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "explore_opt/identification.hpp"
 #include "json_matrix.hpp"
+#include "quad_support/errors.hpp"
 
 namespace explore_opt {
 namespace {
@@ -87,8 +90,14 @@ ordered_json identificationToJson(const Identification& v) {
 
 Eigen::MatrixXd closenessFromJson(const std::string& text, const std::string& source) {
   const auto value = parseJson(text, source);
-  return value.is_number() ? Eigen::MatrixXd::Constant(1, 1, value.get<double>())
-                           : matrixFromJson(value, source);
+  const Eigen::MatrixXd D = value.is_number() ? Eigen::MatrixXd::Constant(1, 1, value.get<double>())
+                                              : matrixFromJson(value, source);
+  try {
+    requireCloseness(D);
+  } catch (const quad_support::DataError& e) {
+    throw quad_support::ConfigError(fmt::format("{}: {}", source, e.what()));
+  }
+  return D;
 }
 
 Eigen::MatrixXd knownFromJson(const std::string& text, const std::string& source) {

@@ -6,7 +6,6 @@
 
 #include "checks.hpp"
 #include "explore_opt/altitude_model.hpp"
-#include "quad_support/linear_algebra.hpp"
 #include "quad_support/random_stream.hpp"
 
 namespace explore_opt {
@@ -81,21 +80,6 @@ double errorNorm(const Eigen::MatrixXd& theta_true, const Eigen::MatrixXd& theta
 
 double closenessOfEstimate(const AltitudeParameters& truth, const AltitudeParameters& estimate) {
   return 1.0 / parameterError(truth, estimate).squaredNorm();
-}
-
-Eigen::MatrixXd initialCloseness(const AltitudeParameters& truth,
-                                 const AltitudeParameters& estimate) {
-  return closenessOfEstimate(truth, estimate) * Eigen::MatrixXd::Identity(6, 6);
-}
-
-bool asksForMore(const Eigen::MatrixXd& desired_closeness,
-                 const Eigen::MatrixXd& initial_closeness) {
-  const Eigen::Index n = desired_closeness.rows();
-  requireShape(desired_closeness, n, n, "D_des");
-  requireShape(initial_closeness, n, n, "D_init");
-  const Eigen::VectorXd difference = quad_support::SymmetricEigen(desired_closeness - initial_closeness).values;
-  const Eigen::VectorXd desired = quad_support::SymmetricEigen(desired_closeness).values;
-  return difference(0) >= -1e-12 * std::abs(desired(n - 1));
 }
 
 InitialEstimate drawInitialEstimate(const AltitudeParameters& truth, double closeness,

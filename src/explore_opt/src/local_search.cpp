@@ -44,6 +44,12 @@ LocalSolution descend(const DesignTask& task, const QuadraticProgram& scaled, co
 
 }  // namespace
 
+VectorXd glimpse(const DesignTask& task, const VectorXd& start) {
+  const QuadraticProgram scaled(task.response, task.gamma_w, start, task.peaks);
+  const BarrierPoint point = descendBarrier(scaled, 1.2 * scaled.toScaled(start), 1e-4);
+  return point.a.size() > 0 ? pulledBack(task, scaled.toAmplitudes(point.a)) : VectorXd();
+}
+
 bool satisfiesKkt(const QuadraticProgram& program, const VectorXd& a, const MatrixXd& Z,
                   const VectorXd& nu) {
   VectorXd slope = a - 2.0 * program.H(Z) * a;

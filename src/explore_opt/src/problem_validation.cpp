@@ -3,14 +3,12 @@
 #include "checks.hpp"
 #include "explore_opt/exploration_problem.hpp"
 #include "explore_opt/set_membership.hpp"
-#include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 constexpr double kMaxTable = 5e7;  // numbers in the table of products S_ab: 400 MB
 constexpr int kMaxSamples = 10'000'000;
@@ -62,21 +60,8 @@ void checkCloseness(const ExplorationProblem& problem) {
           "D_des is {0} x {0}; must be a number, {1} x {1} (n_phi = n_x + n_u, meaning D (x) I) or "
           "{2} x {2} (n_phi n_x)",
           rows, n, Index{n} * problem.numStates());
-  requireFinite(problem.D_des, "D_des");
-  const double size = problem.D_des.cwiseAbs().maxCoeff();
-  for (Index i = 0; i < rows; ++i) {
-    for (Index j = 0; j < i; ++j) {
-      require(std::abs(problem.D_des(i, j) - problem.D_des(j, i)) <= 1e-12 * size,
-              "D_des is not symmetric: entry ({0}, {1}) is {2}, entry ({1}, {0}) is {3}", i, j,
-              problem.D_des(i, j), problem.D_des(j, i));
-    }
-  }
-  const VectorXd eigenvalues = quad_support::symmetricEigenvalues(problem.D_des);
-  const double least = eigenvalues(0), largest = eigenvalues(rows - 1);
-  require(largest > 0.0, "D_des has the largest eigenvalue {}; it must ask for something", largest);
-  require(least >= -1e-12 * largest,
-          "D_des has the eigenvalue {}; all must be 0 or above (the largest is {})", least,
-          largest);
+  requireCloseness(problem.D_des, "D_des");
+  require(problem.D_des.trace() > 0.0, "D_des is zero; it must ask for something");
 }
 
 void checkInputLimit(const ExplorationProblem& problem) {

@@ -27,16 +27,6 @@ double largestRatio(const Eigen::MatrixXd& closeness, const Eigen::MatrixXd& roo
   return -smallestEigenvalue(-symmetric);
 }
 
-void requireCloseness(const Eigen::MatrixXd& D) {
-  requireFinite(D, "D");
-  const double asymmetry = (D - D.transpose()).cwiseAbs().maxCoeff();
-  require(asymmetry <= 1e-12 * D.cwiseAbs().maxCoeff(),
-          "D is not symmetric: entries differ by up to {}", asymmetry);
-  const double smallest = smallestEigenvalue(D);
-  require(smallest >= -1e-12 * D.cwiseAbs().maxCoeff(),
-          "D has the eigenvalue {}; it must be positive semidefinite", smallest);
-}
-
 }  // namespace
 
 std::optional<double> FeasibleSet::lambdaBound() const {
@@ -69,6 +59,22 @@ double distance(const FeasibleSet& set, const Eigen::MatrixXd& Theta) {
 
 bool contains(const FeasibleSet& set, const Eigen::MatrixXd& Theta) {
   return !set.falsified() && distance(set, Theta) <= set.G + 1e-10 * set.gamma_w;
+}
+
+void requireCloseness(const Eigen::MatrixXd& D, const char* name) {
+  const Eigen::Index n = D.rows();
+  require(n >= 1 && D.cols() == n, "{} is {} x {}; must be square", name, n, D.cols());
+  requireFinite(D, name);
+  const double size = D.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      require(std::abs(D(i, j) - D(j, i)) <= 1e-12 * size,
+              "{4} is not symmetric: entry ({0}, {1}) is {2}, entry ({1}, {0}) is {3}", i, j,
+              D(i, j), D(j, i), name);
+    }
+  }
+  const double least = smallestEigenvalue(D);
+  require(least >= -1e-12 * size, "{} has the eigenvalue {}; all must be 0 or above", name, least);
 }
 
 Eigen::MatrixXd fullCloseness(const Eigen::MatrixXd& closeness, int num_states,

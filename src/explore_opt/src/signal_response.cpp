@@ -1,6 +1,7 @@
 #include "explore_opt/signal_response.hpp"
 
 #include <Eigen/QR>
+#include <cmath>
 #include <limits>
 
 #include "checks.hpp"
@@ -18,11 +19,15 @@ using Eigen::VectorXd;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargestCondition = 1e10;  // of the scaled regressor, as in least squares
 
+/// Regressors of all experiments over √r: products of rows are their mean information.
 MatrixXd regressor(const ExplorationProblem& problem, const MatrixXd& signal) {
-  const NominalExperiment experiment = simulateNominal(problem, signal);
+  const Index T = problem.lines.num_samples;
   MatrixXd phi(problem.numRegressors(), signal.cols());
-  phi << experiment.X.leftCols(signal.cols()), experiment.U;
-  return phi;
+  for (Index first = 0; first < signal.cols(); first += T) {
+    const NominalExperiment run = simulateNominal(problem, signal.middleCols(first, T));
+    phi.middleCols(first, T) << run.X.leftCols(T), run.U;
+  }
+  return phi / std::sqrt(static_cast<double>(problem.experiments));
 }
 
 /// Triangle R with RᵀR = M Mᵀ of a wide matrix.
@@ -126,6 +131,8 @@ NominalExperiment simulateNominal(const ExplorationProblem& problem,
 
 double requiredScale(const ExplorationProblem& problem, const Eigen::MatrixXd& signal) {
   validate(problem);
+  requireShape(signal, problem.numInputs(), Index{problem.lines.num_samples} * problem.experiments,
+               "signal");
   if (problem.x0.size() > 0 && !problem.x0.isZero(0.0))
     return scaleFromAbove(problem, affineRegressor(problem, signal));
   const double margin = marginOf(problem, rootOf(regressor(problem, signal)));

@@ -126,7 +126,7 @@ inline double rawBound(const ExplorationProblem& problem, const DesignResult& re
     responses.push_back(rawRegressor(problem, unit, false));
   }
   responses.push_back(rawRegressor(problem, Eigen::MatrixXd::Zero(p / nu, nu), true));
-  RealMatrix stacked(n * T, p + 1), inputs(nu * T, p + 1);
+  RealMatrix stacked(root.rows() * T, p + 1), inputs(nu * T, p + 1);
   for (int a = 0; a <= p; ++a) {
     const RealMatrix& phi = responses[std::size_t(a)];
     stacked.col(a) = (root * phi).reshaped();

@@ -51,7 +51,7 @@ const std::vector<BadProblem>& badProblems() {
        "D_des is not symmetric"},
       {"D indefinite", R"({"D_des": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]})", 2,
        "D_des has the eigenvalue -1"},
-      {"D negative", R"({"D_des": -100})", 2, "D_des has the largest eigenvalue -100"},
+      {"D negative", R"({"D_des": -100})", 2, "D_des has the eigenvalue -100"},
       {"D zero", R"({"D_des": 0})", 2, "it must ask for something"},
       {"gamma_w zero", R"({"gamma_w": 0})", 2, "gamma_w = 0; must be a finite number above 0"},
       {"gamma_w negative", R"({"gamma_w": -20})", 2, "gamma_w = -20"},

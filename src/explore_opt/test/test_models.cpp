@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "explore_opt/altitude_model.hpp"
-#include "explore_opt/discretisation.hpp"
 #include "explore_opt/disturbance_energy.hpp"
 #include "explore_opt/initial_estimate.hpp"
 #include "quad_support/errors.hpp"
@@ -26,51 +25,18 @@ Eigen::MatrixXd joined(const LinearSystem& s) {
 
 }  // namespace
 
-TEST(Discretisation, DoubleIntegratorHasTheClosedForm) {
-  const LinearSystem exact = discretise(continuousAltitudeModel(0.73, 9.8), 0.1),
-                     closed = altitudeModel(0.73, 0.1, 9.8);
-  // The exponential of a nilpotent matrix is a polynomial of degree 2; what is left is rounding.
-  EXPECT_LT((exact.A - closed.A).norm(), 1e-15);
-  EXPECT_LT((exact.B - closed.B).norm(), 1e-15);
-  EXPECT_LT((exact.W - closed.W).norm(), 1e-14);
-}
-
-TEST(Discretisation, MatchesTheSeries) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE(seed);
-    const LinearSystem c{randomMatrix(seed, 0, 3, 3), randomMatrix(seed, 1, 3, 2),
-                         randomMatrix(seed, 2, 3, 1)};
-    const double dT = 0.3;
-    // x(dT) = Σ A^k dT^k/k! x + Σ A^k dT^(k+1)/(k+1)! (B u + W)
-    Eigen::MatrixXd power = Eigen::MatrixXd::Identity(3, 3), A = power, integral = dT * power;
-    for (int k = 1; k < 60; ++k) {
-      power = power * c.A * dT / k;
-      A += power;
-      integral += power * dT / (k + 1);
-    }
-    const LinearSystem d = discretise(c, dT);
-    const double tolerance =
-        1e-13 * (1.0 + A.norm());  // 60 terms, each rounded to 1e-16 of the largest
-    EXPECT_LT((d.A - A).norm(), tolerance);
-    EXPECT_LT((d.B - integral * c.B).norm(), tolerance * (1.0 + c.B.norm()));
-    EXPECT_LT((d.W - integral * c.W).norm(), tolerance * (1.0 + c.W.norm()));
-  }
-}
-
-TEST(Discretisation, TwoHalfPeriodsMakeOne) {
-  const LinearSystem c{randomMatrix(4, 0, 4, 4), randomMatrix(4, 1, 4, 1), {}};
-  const LinearSystem whole = discretise(c, 0.2), half = discretise(c, 0.1);
-  EXPECT_LT((whole.A - half.A * half.A).norm(), 1e-13 * whole.A.norm());
-  EXPECT_LT((whole.B - half.A * half.B - half.B).norm(), 1e-13 * whole.B.norm());
-}
-
-TEST(Discretisation, RefusesWrongShapes) {
-  EXPECT_THROW(discretise({Eigen::MatrixXd::Zero(2, 3), Eigen::MatrixXd::Zero(2, 1), {}}, 0.1),
-               DataError);
-  EXPECT_THROW(discretise({Eigen::MatrixXd::Zero(2, 2), Eigen::MatrixXd::Zero(3, 1), {}}, 0.1),
-               DataError);
-  EXPECT_THROW(discretise(continuousAltitudeModel(1.0, 9.8), 0.0), DataError);
-  EXPECT_THROW(discretise(continuousAltitudeModel(1.0, 9.8), NAN), DataError);
+TEST(AltitudeModel, IsTheExactSolutionOfTheContinuousModel) {
+  // Eq. (2.1), d/dt [z; ż; U; 1] = G [z; ż; U; 1]; G³ = 0, so exp(G dT) is a polynomial of degree 2.
+  const double mass = 0.73, dT = 0.1, gravity = 9.8;
+  Eigen::Matrix4d G = Eigen::Matrix4d::Zero();
+  G(0, 1) = 1.0;
+  G(1, 2) = 1.0 / mass;
+  G(1, 3) = -gravity;
+  const Eigen::Matrix4d exact = Eigen::Matrix4d::Identity() + G * dT + G * G * (0.5 * dT * dT);
+  const LinearSystem closed = altitudeModel(mass, dT, gravity);
+  EXPECT_LT((exact.topLeftCorner(2, 2) - closed.A).norm(), 1e-15);
+  EXPECT_LT((exact.block(0, 2, 2, 1) - closed.B).norm(), 1e-15);
+  EXPECT_LT((exact.topRightCorner(2, 1) - closed.W).norm(), 1e-15);
 }
 
 TEST(AltitudeModel, PrintedMatricesOfTheThesis) {
@@ -132,17 +98,6 @@ TEST(InitialEstimate, ClosenessOfTheThesisEstimate) {
   EXPECT_LT(low, 50.4868);
   EXPECT_GT(high, 50.4868);
   EXPECT_LT(high - low, 0.2);
-}
-
-TEST(InitialEstimate, DesiredClosenessAsksForMore) {
-  const Eigen::MatrixXd initial = initialCloseness(kTruth, kThesisEstimate);
-  EXPECT_TRUE(asksForMore(100.0 * Eigen::MatrixXd::Identity(6, 6), initial));
-  EXPECT_TRUE(asksForMore(initial, initial));
-  EXPECT_FALSE(asksForMore(50.0 * Eigen::MatrixXd::Identity(6, 6), initial));
-  // D_init bounds D_0: e eᵀ ⪯ D_init⁻¹.
-  const Eigen::VectorXd e = parameterError(kTruth, kThesisEstimate);
-  EXPECT_GE(explore_opt::testing::smallestEigenvalue(initial.inverse() - e * e.transpose()),
-            -1e-15);
 }
 
 TEST(InitialEstimate, DrawsHaveTheClosenessAskedFor) {

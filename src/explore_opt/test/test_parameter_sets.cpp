@@ -187,6 +187,47 @@ TEST(Fusion, FollowsTheFormulaForAnyWeights) {
   }
 }
 
+/// Two inputs, of which each data set moves one: cylinders whose intersection is bounded.
+TEST(Fusion, OfSetsThatOnlyTogetherDetermineAll) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const Eigen::MatrixXd Theta = system(seed, 2, 2);
+    std::vector<DataSet> data;
+    for (std::uint64_t j = 0; j < 2; ++j) {
+      DataSet one = simulated(Theta, 10 * seed + j, 0.0, 0.5, 40);
+      one.U.row(static_cast<Eigen::Index>(j)).setZero();
+      Eigen::MatrixXd w = randomMatrix(seed, 20 + j, 2, 40);
+      w *= std::sqrt(0.4 / w.squaredNorm());
+      for (int k = 0; k < 40; ++k) {
+        one.X.col(k + 1) =
+            Theta.leftCols(2) * one.X.col(k) + Theta.rightCols(2) * one.U.col(k) + w.col(k);
+      }
+      data.push_back(one);
+    }
+    EXPECT_FALSE(identify({data[0]}, {}).exciting);
+    EXPECT_FALSE(identify({data[0], data[0]}, {}).exciting);
+    IdentificationRequest request;
+    request.candidate = Theta;
+    const Identification both = identify(data, request);
+    ASSERT_TRUE(both.exciting);
+    EXPECT_FALSE(both.falsified());
+    EXPECT_TRUE(both.candidateIsMember());  // every γ_w is valid
+    // Whatever weights were found, the set is Σ λ_j (residuals of set j) <= Σ λ_j γ_w,j.
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const Eigen::MatrixXd point = pointOf(both.set, i, 1.5);
+      double sum = 0.0;
+      for (std::size_t j = 0; j < 2; ++j) {
+        const DataSet& d = data[j];
+        const Eigen::MatrixXd rest =
+            d.X.rightCols(40) - point.leftCols(2) * d.X.leftCols(40) - point.rightCols(2) * d.U;
+        sum += both.weights[j] * (rest.squaredNorm() - d.gamma_w);
+      }
+      EXPECT_NEAR(distance(both.set, point) - both.set.G, sum,
+                  1e-10);  // numbers of the size of one
+    }
+  }
+}
+
 TEST(Fusion, SeesWhatNoSetAloneSees) {
   // Two experiments on different systems: each fits its own γ_w, together they fit nothing.
   const std::vector<FeasibleSet> sets = {setOf(simulated(system(1, 2, 1), 1, 0.1, 0.2)),

@@ -4,16 +4,12 @@
 
 #include <vector>
 
-#include "explore_opt/discretisation.hpp"
+#include "explore_opt/linear_system.hpp"
 
 namespace explore_opt {
 
-/// ẋ = [[0, 1], [0, 0]] x + [0; 1/m] U + [0; -g], Eq. (2.1); x = [z; ż], U the thrust [N].
-/// @param mass     m > 0 [kg]   @param gravity  g >= 0 [m/s²]
-/// @throws quad_support::DataError if a value is out of range
-LinearSystem continuousAltitudeModel(double mass, double gravity);
-
-/// The same sampled with U held for dT: the closed form of Eq. (2.2). No value is rounded.
+/// ẋ = [[0, 1], [0, 0]] x + [0; 1/m] U + [0; -g], Eq. (2.1), x = [z; ż], U the thrust [N], sampled
+/// with U held for dT: the closed form of Eq. (2.2). No value is rounded.
 /// @param mass  m [kg]   @param sampling_period  dT > 0 [s]   @param gravity  g [m/s²]
 LinearSystem altitudeModel(double mass, double sampling_period, double gravity);
 

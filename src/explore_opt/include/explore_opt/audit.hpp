@@ -13,8 +13,8 @@ namespace explore_opt {
 struct DesignClaims {
   Eigen::MatrixXd amplitudes;  ///< carriers x n_u; several experiments one below the other
   double gamma_e = 0.0, lower_bound = 0.0, gap = 0.0;
-  Eigen::MatrixXd certificate;  ///< Z in coordinates normalised by D_des^{-1/2}; may be empty
-  Eigen::MatrixXd multiplier;   ///< M in raw coordinates; may be empty
+  Eigen::MatrixXd certificate;      ///< Z in coordinates normalised by D_des^{-1/2}; may be empty
+  Eigen::MatrixXd multiplier;       ///< M in raw coordinates; may be empty
   Eigen::MatrixXd multiplier_root;  ///< Y, M = Y Yᵀ, taken instead if there is one
   struct Peak {
     int sample = 0, input = -1;

@@ -30,7 +30,9 @@ struct BaselineCost {
 /// The targeted design first ("targeted"), then the classical designs and the signals of
 /// baseline_signals.hpp: white, band_limited, prbs (its best hold), chirp, multisine and
 /// random_phase on the problem's lines, and the cheapest single line.
-/// @param amplitudes  of the targeted design, carriers x n_u
+/// Several experiments: random signals are drawn anew in each, the others repeated; cost is then
+/// the root mean square per experiment.
+/// @param amplitudes  of the targeted design, carriers x n_u, experiments one below the other
 /// @throws quad_support::DataError for a problem or an option out of range
 std::vector<BaselineCost> compareBaselines(const ExplorationProblem& problem,
                                            const Eigen::MatrixXd& amplitudes,

@@ -18,17 +18,17 @@ ExplorationProblem problemFromJson(const std::string& text, const std::string& s
 
 /// The answer with keys status, method, amplitudes ([[α_1 of n_u], ...] or {"cos", "sin"}),
 /// gamma_e, lower_bound, gap, certificate, lambda_min, iterations ({gamma_e, step, inner_gap,
-/// amplitudes}), inner_gap, seconds, message, multiplier, multiplier_root, relaxation_rank; with u_max also
-/// peak_multipliers ({sample, input or null, value}) and peak; with several experiments amplitudes
-/// is null and `experiments` lists those of each run. A value that does not exist is null. Doubles
-/// are printed so that they read back the same.
+/// amplitudes}), inner_gap, seconds, message, multiplier, multiplier_root, relaxation_rank; with
+/// u_max also peak_multipliers ({sample, input or null, value}) and peak; with several experiments
+/// amplitudes is null and `experiments` lists those of each run. A value that does not exist is
+/// null. Doubles are printed so that they read back the same.
 nlohmann::ordered_json designToJson(const ExplorationProblem& problem, const DesignResult& result);
 
 /// Amplitudes in the shape designToJson() writes them, or a whole answer with them under
 /// `amplitudes`.
-/// @returns DesignOptions::initial_amplitudes, p entries, component i n_u + j
+/// @returns carriers x n_u, several experiments one below the other
 /// @throws quad_support::ConfigError: text that is not JSON, wrong types, shape or values
-Eigen::VectorXd amplitudesFromJson(const std::string& text, const std::string& source,
+Eigen::MatrixXd amplitudesFromJson(const std::string& text, const std::string& source,
                                    const ExplorationProblem& problem);
 
 /// Indented text with a list of numbers on one line, ending in a newline.

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "explore_opt/discretisation.hpp"
+#include "explore_opt/linear_system.hpp"
 
 namespace explore_opt {
 

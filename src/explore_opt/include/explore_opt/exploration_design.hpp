@@ -44,10 +44,11 @@ struct DesignOptions {
   /// global: no further starts once the certified relative gap is below
   double gap_tolerance = 1e-5;
   /// global: starts beside the dual's, used only while the gap is larger
-  int random_starts = 8;
+  int random_starts = 24;
   /// Of those starts, and of mm's start if none is given
   std::uint64_t seed = 1;
-  /// mm: candidate ã of any size, p entries, component i n_u + j; empty: a default
+  /// mm: candidate ã of any size, p entries, component i n_u + j (several experiments one after the
+  /// other); empty: a default
   Eigen::VectorXd initial_amplitudes;
   /// mm: stop when γ_e changes by less than this part of itself and ...
   double cost_tolerance = 1e-9;
@@ -100,8 +101,8 @@ struct DesignResult {
   /// ½γ_e(a)² - tr M (Q(a)[⊗ I] - γ_w D_des) + Σ ½ν_k (‖u_k(a)‖² - u_max²).
   /// Size n_φ (D ⊗ I, nothing known) or n_φ n_x.
   Eigen::MatrixXd multiplier;
-  /// Y with M = Y Yᵀ: where responses grow over many decades M has too few digits to prove the bound,
-  /// Y has them
+  /// Y with M = Y Yᵀ: where responses grow over many decades M has too few digits to prove the
+  /// bound, Y has them
   Eigen::MatrixXd multiplier_root;
   /// ν_k > 0
   std::vector<PeakMultiplier> peak_multipliers;

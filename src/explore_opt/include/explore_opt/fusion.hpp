@@ -13,11 +13,16 @@ struct FusedSet {
   std::vector<double> weights;  ///< λ_j >= 0, Σ λ_j = 1
 };
 
+/// Whether the sets together determine every parameter: the condition number of their stacked roots,
+/// columns scaled to length one, is at most 1e10. Single ones need not.
+bool determineAll(const std::vector<FeasibleSet>& sets);
+
 /// For any weights the intersection lies in { Σ λ_j (distance_j(θ) - G_j) <= 0 }, which is again an
 /// ellipsoid. The weights sought make its margin/G largest (margin: informationMargin() of the
 /// closeness); whatever the search finds is valid. If some weights give G < 0 the intersection is
 /// empty, and those are returned: some γ_w is falsified, though none alone may be.
-/// @param sets  of equal shape, G_j >= 0 or not; at least one
+/// A set whose data leave directions open (see openFit()) is a cylinder; it counts in the others.
+/// @param sets  of equal shape, G_j >= 0 or not; at least one; together they must determineAll()
 /// @param closeness  as informationMargin(); 1 x 1 for λ(D_bd)
 /// @throws quad_support::DataError for none or unequal shapes
 FusedSet fuse(const std::vector<FeasibleSet>& sets, const Eigen::MatrixXd& closeness);

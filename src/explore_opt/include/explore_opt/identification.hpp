@@ -41,7 +41,7 @@ struct Estimate {
   bool exciting = false;
   double condition = 0.0;
   Eigen::VectorXd singular_values;
-  Eigen::MatrixXd Theta;        ///< [A B], known entries included; empty if not exciting
+  Eigen::MatrixXd Theta;        ///< [A B], known entries included; no fact if not exciting
   Eigen::MatrixXd information;  ///< ΦΦᵀ, or of the unknown entries
   double residual_energy = 0.0;
   /// Over Θ, or with known entries over their complement ϑ as one row
@@ -51,7 +51,7 @@ struct Estimate {
 struct Identification {
   std::vector<Estimate> data_sets;
   std::vector<Entry> free;  ///< where ϑ stands in Θ; empty without known entries
-  bool exciting = false;    ///< all of them
+  bool exciting = false;    ///< all of them together (with known entries: each of them)
   /// From here on only if exciting. One data set: its own; several: fused
   Eigen::MatrixXd Theta, information;
   FeasibleSet set;

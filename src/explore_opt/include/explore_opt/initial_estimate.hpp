@@ -25,16 +25,6 @@ double errorNorm(const Eigen::MatrixXd& theta_true, const Eigen::MatrixXd& theta
 /// thesis prints 50.4868, which draws that round to those figures can give (50.41 to 50.58).
 double closenessOfEstimate(const AltitudeParameters& truth, const AltitudeParameters& estimate);
 
-/// D_init = λ(D_0) I, the positive definite relaxation of the singular D_0; n x n with n = 6.
-Eigen::MatrixXd initialCloseness(const AltitudeParameters& truth,
-                                 const AltitudeParameters& estimate);
-
-/// D_des ⪰ D_init, i.e. whether the experiment asks for more than is known: the smallest eigenvalue
-/// of D_des - D_init is not below -1e-12 times the largest of D_des. @throws
-/// quad_support::DataError for wrong shapes
-bool asksForMore(const Eigen::MatrixXd& desired_closeness,
-                 const Eigen::MatrixXd& initial_closeness);
-
 /// A draw of Table 2.1 and how it came about.
 struct InitialEstimate {
   AltitudeParameters parameters;

@@ -7,6 +7,7 @@ namespace explore_opt {
 
 /// What a fit of x_{k+1} = Θ φ_k says. If `exciting` is false the estimate is not determined by the
 /// data: Theta, residual and residual_energy are then empty or zero, the singular values tell why.
+/// Other data may determine what these leave open: see openFit().
 struct LeastSquaresFit {
   bool exciting = false;            ///< condition <= 1e10
   double condition = 0.0;           ///< of the regressor with its columns scaled to length one
@@ -28,5 +29,10 @@ struct LeastSquaresFit {
 /// @throws quad_support::DataError: shapes that do not fit, a value that is not finite, T < n_φ =
 /// n_x + n_u
 LeastSquaresFit fitLeastSquares(const Eigen::MatrixXd& X, const Eigen::MatrixXd& U);
+
+/// The same for data that need not excite, any T >= 1: of all minimisers the smallest in the scaled
+/// regressor's coordinates. Only `root` (of rank below n_φ, then) and `residual_energy` are facts, and
+/// Θ̂ in the directions the data excite; all else is for fusion with other data.
+LeastSquaresFit openFit(const Eigen::MatrixXd& X, const Eigen::MatrixXd& U);
 
 }  // namespace explore_opt

@@ -19,7 +19,9 @@ NominalExperiment simulateNominal(const ExplorationProblem& problem, const Eigen
 
 /// Smallest factor s with which s·signal meets the data condition P_θ⁻¹ ⪰ γ_w D_des, by simulation;
 /// infinite if no factor does. For a start away from rest: the smallest beyond which the condition
-/// holds throughout, found from above.
+/// holds throughout, found from above. Several experiments (problem.experiments = r) share the
+/// condition: P_θ⁻¹ is then the mean of theirs.
+/// @param signal  n_u x T, several experiments side by side: n_u x r T
 double requiredScale(const ExplorationProblem& problem, const Eigen::MatrixXd& signal);
 
 /// sqrt(2 Σ‖e_k‖²/T): the norm ‖a‖ of a multisine on the grid of the same energy.

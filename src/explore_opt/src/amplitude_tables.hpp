@@ -1,0 +1,18 @@
+/// Amplitudes as they stand in JSON: rows, with both phases {"cos": rows, "sin": rows}, with
+/// several experiments a list of either.
+#pragma once
+
+#include <Eigen/Core>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "explore_opt/exploration_signal.hpp"
+
+namespace explore_opt {
+
+/// @returns carriers x n_u, cosines above sines, several experiments one below the other
+/// @throws quad_support::ConfigError: wrong types, tables that differ in shape
+Eigen::MatrixXd amplitudeTables(const nlohmann::json& value, Phase phase,
+                                const std::string& source);
+
+}  // namespace explore_opt
