@@ -279,9 +279,18 @@ TEST(Identification, NamesTheDataSetThatDoesNotExcite) {
   DataSet still = simulated(Theta, 1, 0.01, 0.02);
   still.name = "still.csv";
   still.U.setZero();
-  const Identification result = identify({simulated(Theta, 1, 0.01, 0.02), still}, {});
-  EXPECT_FALSE(result.exciting);
-  EXPECT_EQ(complaint(result).rfind("still.csv: the data do not determine", 0), 0u);
+  const Identification alone = identify({still}, {});
+  EXPECT_FALSE(alone.exciting);
+  EXPECT_EQ(complaint(alone).rfind("still.csv: the data do not determine", 0), 0u);
+  const Identification twice = identify({still, still}, {});
+  EXPECT_FALSE(twice.exciting);
+  EXPECT_NE(complaint(twice).find("not even together"), std::string::npos);
+  IdentificationRequest structured;  // with known entries each must excite
+  structured.known = Eigen::MatrixXd::Constant(2, 3, NAN);
+  structured.known(0, 0) = Theta(0, 0);
+  const Identification known = identify({simulated(Theta, 1, 0.01, 0.02), still}, structured);
+  EXPECT_FALSE(known.exciting);
+  EXPECT_EQ(complaint(known).rfind("still.csv: the data do not determine", 0), 0u);
   DataSet other = simulated(system(1, 3, 1), 1, 0.01, 0.02);
   EXPECT_THROW(identify({still, other}, {}), DataError);
   EXPECT_THROW(identify({}, {}), DataError);
