@@ -3,11 +3,10 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "constants.hpp"
 
 namespace explore_opt {
 namespace {
-
-constexpr double kPi = 3.141592653589793238462643383280;
 
 void requireGravity(double gravity) {
   require(std::isfinite(gravity) && gravity >= 0.0,

@@ -18,7 +18,7 @@ using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using Eigen::Index;
 
-constexpr Real kTwoPi = 6.283185307179586476925286766559005768L;
+constexpr Real kFullTurn = 6.283185307179586476925286766559005768L;
 
 /// R with RᵀR = ΦΦᵀ, sample by sample. The products themselves would lose the square of what
 /// Φ's condition number costs.
@@ -74,7 +74,7 @@ Real carrier(const ExplorationProblem& problem, int row, int k) {
       lines.harmonics.empty()
           ? std::fmod(Real(lines.frequencies[at]) * k, 1.0L)
           : Real(std::int64_t{lines.harmonics[at]} * k % lines.num_samples) / lines.num_samples;
-  return sine ? std::sin(kTwoPi * turns) : std::cos(kTwoPi * turns);
+  return sine ? std::sin(kFullTurn * turns) : std::cos(kFullTurn * turns);
 }
 
 /// D_des as it is meant: λ I and D ⊗ I stay n_φ x n_φ, unless entries are known.

@@ -6,6 +6,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "quad_support/random_stream.hpp"
 
 namespace explore_opt {
@@ -13,8 +14,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct NamedKind {
   BaselineKind kind;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "explore_opt/baseline_signals.hpp"
 #include "explore_opt/classical_designs.hpp"
 #include "explore_opt/signal_response.hpp"
@@ -14,7 +15,6 @@ namespace {
 
 using Eigen::MatrixXd;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t kStream = 0x626173656c696e65;  // of this purpose alone
 
 struct Scaled {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "design_tools.hpp"
 #include "explore_opt/exploration_design.hpp"
 
@@ -14,7 +15,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kStarts = 8;
 
 struct Value {

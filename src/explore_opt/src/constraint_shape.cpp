@@ -4,12 +4,12 @@
 #include <cmath>
 #include <unsupported/Eigen/KroneckerProduct>
 
+#include "constants.hpp"
 #include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 

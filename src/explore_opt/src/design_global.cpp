@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "design_tools.hpp"
 #include "local_search.hpp"
 #include "peak_limits.hpp"
@@ -13,14 +14,13 @@
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kRelaxedGap = 1e-9;  // of ½γ_e²; what the polished multipliers cannot improve
                                       // is left to them
-constexpr double kSolverTolerance = 1e-10;
-constexpr int kSolverIterations = 150;
+constexpr double kLiftedTolerance = 1e-10;
+constexpr int kLiftedIterations = 150;
 constexpr int kRoundings = 32;
 constexpr double kRankTolerance = 1e-4;  // of the largest eigenvalue
 constexpr int kPeakRounds = 40;
@@ -248,7 +248,7 @@ RawDesign designFreely(const ExplorationProblem& problem, const DesignTask& sing
   const VectorXd fallback = start->replicate(task.runs, 1) / std::sqrt(double(task.runs));
   const VectorXd first = relaxed ? roundLifted(task, *relaxed, fallback, options.seed) : fallback;
   search.start(first);
-  IpoptSolver solver(kSolverTolerance, kSolverIterations);
+  IpoptSolver solver(kLiftedTolerance, kLiftedIterations);
   const double margin = search.gap() < 1e-4 ? 1e-6 : 0.2;
   search.add(polish(task, solver, first, margin,
                     design.certificate.bound > 0.0 ? &design.certificate : nullptr));
@@ -281,7 +281,7 @@ RawDesign designWithin(const DesignTask& task, const DesignOptions& options, con
         design.certificate.bound, largest);
     return design;
   }
-  IpoptSolver solver(kSolverTolerance, kSolverIterations);
+  IpoptSolver solver(kLiftedTolerance, kLiftedIterations);
   const VectorXd rounded = roundLifted(reserved, relaxed, from, options.seed);
   search.add(polish(reserved, solver, rounded, 1e-3, nullptr));
   if (search.gap() > options.gap_tolerance)

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "constraint_shape.hpp"
 #include "design_tools.hpp"
 #include "quad_support/linear_algebra.hpp"
@@ -10,7 +11,6 @@
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 

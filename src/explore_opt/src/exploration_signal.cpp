@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "quad_support/random_stream.hpp"
 
 namespace explore_opt {
 namespace {
-
-constexpr double kTwoPi = 6.283185307179586476925286766559;
 
 /// A point of the unit circle given as a fraction of a turn, folded to within an eighth of one of
 /// the axes, so that sines and cosines of equal angles come out equal and those of multiples of a

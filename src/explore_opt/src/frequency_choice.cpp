@@ -8,18 +8,17 @@
 #include <complex>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "explore_opt/set_membership.hpp"
 #include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kTwoPi = 6.283185307179586476925286766559;
 constexpr int kCandidates = 1000;
 constexpr int kSteps = 500;
 

@@ -4,11 +4,11 @@
 #include <limits>
 
 #include "checks.hpp"
+#include "constants.hpp"
 
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 
 /// What both kinds of fit say before the set is judged.

@@ -11,7 +11,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kShrink = 1e-3;  // of the barrier weight; smaller ones make Newton's steps crawl
+constexpr double kBarrierShrink =
+    1e-3;                         // of the barrier weight; smaller ones make Newton's steps crawl
 constexpr double kMargin = 1e-3;  // start of a relaxation outside the boundary
 
 /// A little outside the boundary the relaxation is strictly feasible: surely from rest, where N
@@ -47,7 +48,7 @@ InnerSolution solveInnerRelaxation(const QuadraticProgram& program, IpoptSolver&
     inner.gap = relaxation.gap(inner.a);
     inner.centred = inner.gap <= 1.5 * n * mu;  // exactly n μ at the centre
     if (mu <= last) return inner;
-    mu = std::max(last, kShrink * mu);
+    mu = std::max(last, kBarrierShrink * mu);
   }
 }
 

@@ -11,7 +11,6 @@ namespace explore_opt {
 namespace {
 
 using Eigen::VectorXd;
-using Ipopt::Index;
 using Ipopt::Number;
 
 SolverStatus statusOf(Ipopt::ApplicationReturnStatus status) {
@@ -44,17 +43,18 @@ class Adapter : public Ipopt::TNLP {
         jacobian_(program.jacobianPositions()),
         hessian_(program.hessianPositions()) {}
 
-  bool get_nlp_info(Index& n, Index& m, Index& nnz_jac, Index& nnz_hess,
+  bool get_nlp_info(Ipopt::Index& n, Ipopt::Index& m, Ipopt::Index& nnz_jac, Ipopt::Index& nnz_hess,
                     IndexStyleEnum& style) override {
     n = program_.numVariables();
     m = program_.numConstraints();
-    nnz_jac = static_cast<Index>(jacobian_.size());
-    nnz_hess = static_cast<Index>(hessian_.size());
+    nnz_jac = static_cast<Ipopt::Index>(jacobian_.size());
+    nnz_hess = static_cast<Ipopt::Index>(hessian_.size());
     style = C_STYLE;
     return true;
   }
 
-  bool get_bounds_info(Index n, Number* xl, Number* xu, Index m, Number* gl, Number* gu) override {
+  bool get_bounds_info(Ipopt::Index n, Number* xl, Number* xu, Ipopt::Index m, Number* gl,
+                       Number* gu) override {
     std::fill(xl, xl + n, -2e19);  // Ipopt's "no bound"
     std::fill(xu, xu + n, 2e19);
     std::fill(gl, gl + m, 0.0);
@@ -62,8 +62,8 @@ class Adapter : public Ipopt::TNLP {
     return true;
   }
 
-  bool get_starting_point(Index n, bool, Number* x, bool, Number* zl, Number* zu, Index m,
-                          bool init_lambda, Number* lambda) override {
+  bool get_starting_point(Ipopt::Index n, bool, Number* x, bool, Number* zl, Number* zu,
+                          Ipopt::Index m, bool init_lambda, Number* lambda) override {
     std::copy(start_.x.data(), start_.x.data() + n, x);
     if (zl != nullptr) std::fill(zl, zl + n, 0.0);
     if (zu != nullptr) std::fill(zu, zu + n, 0.0);
@@ -71,26 +71,26 @@ class Adapter : public Ipopt::TNLP {
     return true;
   }
 
-  bool eval_f(Index n, const Number* x, bool, Number& f) override {
+  bool eval_f(Ipopt::Index n, const Number* x, bool, Number& f) override {
     return program_.objective(view(x, n), f);
   }
 
-  bool eval_grad_f(Index n, const Number* x, bool, Number* g) override {
+  bool eval_grad_f(Ipopt::Index n, const Number* x, bool, Number* g) override {
     VectorXd values(n);
     if (!program_.gradient(view(x, n), values)) return false;
     std::copy(values.data(), values.data() + n, g);
     return true;
   }
 
-  bool eval_g(Index n, const Number* x, bool, Index m, Number* c) override {
+  bool eval_g(Ipopt::Index n, const Number* x, bool, Ipopt::Index m, Number* c) override {
     VectorXd values(m);
     program_.constraints(view(x, n), values);
     std::copy(values.data(), values.data() + m, c);
     return true;
   }
 
-  bool eval_jac_g(Index n, const Number* x, bool, Index, Index nnz, Index* rows, Index* cols,
-                  Number* out) override {
+  bool eval_jac_g(Ipopt::Index n, const Number* x, bool, Ipopt::Index, Ipopt::Index nnz,
+                  Ipopt::Index* rows, Ipopt::Index* cols, Number* out) override {
     if (out == nullptr) return positions(jacobian_, rows, cols);
     VectorXd values(nnz);
     program_.jacobian(view(x, n), values);
@@ -98,8 +98,9 @@ class Adapter : public Ipopt::TNLP {
     return true;
   }
 
-  bool eval_h(Index n, const Number* x, bool, Number weight, Index m, const Number* lambda, bool,
-              Index nnz, Index* rows, Index* cols, Number* out) override {
+  bool eval_h(Ipopt::Index n, const Number* x, bool, Number weight, Ipopt::Index m,
+              const Number* lambda, bool, Ipopt::Index nnz, Ipopt::Index* rows, Ipopt::Index* cols,
+              Number* out) override {
     if (out == nullptr) return positions(hessian_, rows, cols);
     VectorXd values(nnz);
     if (!program_.hessian(view(x, n), weight, view(lambda, m), values)) return false;
@@ -107,19 +108,19 @@ class Adapter : public Ipopt::TNLP {
     return true;
   }
 
-  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*,
-                         const Number*, Index m, const Number*, const Number* lambda, Number,
+  void finalize_solution(Ipopt::SolverReturn, Ipopt::Index n, const Number* x, const Number*,
+                         const Number*, Ipopt::Index m, const Number*, const Number* lambda, Number,
                          const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
     answer_.x = view(x, n);
     answer_.multipliers = view(lambda, m);
   }
 
  private:
-  static VectorXd view(const Number* values, Index n) {
+  static VectorXd view(const Number* values, Ipopt::Index n) {
     return Eigen::Map<const VectorXd>(values, n);
   }
 
-  static bool positions(const Positions& from, Index* rows, Index* cols) {
+  static bool positions(const Positions& from, Ipopt::Index* rows, Ipopt::Index* cols) {
     for (std::size_t i = 0; i < from.size(); ++i) {
       rows[i] = from[i].first;
       cols[i] = from[i].second;

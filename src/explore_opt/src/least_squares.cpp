@@ -5,13 +5,12 @@
 #include <limits>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "quad_support/linear_algebra.hpp"
 #include "refinement.hpp"
 
 namespace explore_opt {
 namespace {
-
-constexpr double kLargestCondition = 1e10;
 
 /// Columns scaled to length one; a column of zeros stays visible.
 Eigen::MatrixXd unitColumns(const Eigen::MatrixXd& R) {

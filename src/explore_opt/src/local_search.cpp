@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "barrier_descent.hpp"
+#include "constants.hpp"
 #include "factor_program.hpp"
 #include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 

@@ -4,14 +4,13 @@
 #include <limits>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "quad_support/number_format.hpp"
 
 namespace explore_opt {
 namespace {
 
 using Eigen::MatrixXd;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Reads one text from left to right.
 class Parser {

@@ -1,6 +1,7 @@
 #include "explore_opt/predicted_response.hpp"
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "constraint_shape.hpp"
 #include "quad_support/linear_algebra.hpp"
 #include "response_root.hpp"
@@ -8,7 +9,6 @@
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 

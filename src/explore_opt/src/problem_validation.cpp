@@ -1,13 +1,13 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "explore_opt/exploration_problem.hpp"
 #include "explore_opt/set_membership.hpp"
 
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr double kMaxTable = 5e7;  // numbers in the table of products S_ab: 400 MB

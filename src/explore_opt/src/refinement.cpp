@@ -3,13 +3,14 @@
 #include <cmath>
 #include <limits>
 
+#include "constants.hpp"
+
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr int kSteps = 6;
+constexpr int kRefinementSteps = 6;
 
 /// An unevaluated sum high + low of two doubles (Dekker 1971).
 struct Twofold {
@@ -76,7 +77,7 @@ RefinedSolution refine(const MatrixXd& A, const MatrixXd& B, const MatrixXd& R,
   MatrixXd X = solution;
   TwofoldMatrix r = residualOf(A, B, X);
   double last = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kRefinementSteps; ++step) {
     const MatrixXd half = upper.transpose().solve(gradientOf(A, r));
     const MatrixXd correction = upper.solve(half);
     const double size = correction.norm();

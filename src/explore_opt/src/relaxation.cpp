@@ -3,12 +3,12 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "constants.hpp"
 #include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "constants.hpp"
 
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::Matrix2d;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;

@@ -5,12 +5,11 @@
 #include <unsupported/Eigen/KroneckerProduct>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Eigen::MatrixXd identity(Eigen::Index n) { return Eigen::MatrixXd::Identity(n, n); }
 

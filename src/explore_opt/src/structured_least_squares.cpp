@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "explore_opt/set_membership.hpp"
 #include "quad_support/linear_algebra.hpp"
 #include "refinement.hpp"
@@ -14,12 +15,9 @@
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
-
-constexpr double kLargestCondition = 1e10;
 
 std::vector<Entry> freeEntries(const MatrixXd& known) {
   std::vector<Entry> entries;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "quad_support/constants.hpp"
 #include "quad_support/errors.hpp"
 
 namespace quad_control {
@@ -13,7 +14,7 @@ namespace {
 
 using quad_support::ConfigError;
 
-constexpr double kPi = 3.14159265358979323846;
+using quad_support::kPi;
 
 // The torque about `axis` that the rotors can add to `thrust`, the other torques zero.
 OutputLimits torqueLimits(const Mixer& mixer, double thrust, int axis) {

@@ -10,12 +10,14 @@
 #include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
 
+#include "quad_support/constants.hpp"
+
 namespace quad_control {
 namespace {
 
 using Eigen::MatrixXd;
 
-constexpr double kPi = 3.14159265358979323846;
+using quad_support::kPi;
 
 // x(t) for an input held over `time`: exp([A B; 0 0] t) = [Ad Bd; 0 I], as in thesis section 2.3.
 std::pair<MatrixXd, MatrixXd> hold(const LinearPlant& plant, double time) {

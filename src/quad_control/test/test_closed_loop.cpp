@@ -16,7 +16,7 @@ namespace quad_control {
 namespace {
 
 constexpr int kSteps = 100;  // physics steps of an interval: 0.1 s
-constexpr double kEstimate = 0.6247;
+constexpr double kMassEstimate = 0.6247;
 
 struct Sample {
   double time, z, climb, tilt, yaw, x, y;
@@ -32,9 +32,9 @@ class Flight {
         controller_(model_, controlConfig(position_loop)),
         latency_(latency_steps) {
     plan_.references.z = config_.initial_altitude;
-    plan_.feed_forward_mass = kEstimate;
+    plan_.feed_forward_mass = kMassEstimate;
     plan_.gravity = config_.options.gravity;
-    plan_.initial_altitude_effort = equilibriumEffort(model_.mass, kEstimate, plan_.gravity);
+    plan_.initial_altitude_effort = equilibriumEffort(model_.mass, kMassEstimate, plan_.gravity);
   }
 
   quad_sim::VehicleState start() const {
@@ -191,7 +191,7 @@ TEST_P(ClosedLoop, FallsAsThePointMassDoesWithoutSignal) {
   flight.plan().exploration_start_ns = 0;
   flight.plan().exploration_signal = {0.0};  // and zero after it
   const std::vector<Sample> samples = flight.fly(flight.start(), 300);
-  const double acceleration = (kEstimate / 0.73 - 1.0) * 9.8;
+  const double acceleration = (kMassEstimate / 0.73 - 1.0) * 9.8;
   // The late command and the rotor lag (25 ms down) hold the first thrust a little longer: constant offset in ż.
   const double held = 1e-3 * GetParam() + 0.025;
   EXPECT_NEAR(samples.back().climb, acceleration * (30.0 - held), 0.05);

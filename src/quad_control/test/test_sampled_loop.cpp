@@ -13,14 +13,14 @@
 namespace quad_control {
 namespace {
 
-constexpr double kPeriod = 0.1;
+constexpr double kPeriodSeconds = 0.1;
 const std::vector<double> kLatencies = {0.0, 0.045}, kLags = {0.0125, 0.025};
 const std::vector<double> kClimbRates = {0.0, -10.0, -20.0, -30.0, -40.0, -52.0};
 const std::vector<double> kRotorSpeeds = {240.0, 423.0, 540.0};  // 2, 6.1 and 10 N
 
 ControlConfig shipped() {
   const auto in = quad_support::ConfigReader::fromFile("../../config/thesis.yaml");
-  return readControlConfig(in.section("control"), kPeriod);
+  return readControlConfig(in.section("control"), kPeriodSeconds);
 }
 
 struct Worst {
@@ -29,7 +29,7 @@ struct Worst {
   void include(const LinearPlant& plant, const PiGains& gains) {
     const std::vector<PiGains> all(plant.position.size(), gains);
     for (const double latency : kLatencies) {
-      const SampledPlant sampled = discretise(plant, kPeriod, latency);
+      const SampledPlant sampled = discretise(plant, kPeriodSeconds, latency);
       radius = std::max(radius, spectralRadius(closedLoop(plant, sampled, all)));
       const LoopMargins m = margins(plant, sampled, all, 0);
       gain_up = std::min(gain_up, m.gain_up);
@@ -48,15 +48,15 @@ struct Worst {
 TEST(Discretise, DoubleIntegratorIsEq22) {
   // Without rotor lag and latency: A = [1 dT; 0 1], B = [dT²/2; dT] / m, thesis Eq. (2.2).
   LinearPlant plant{Eigen::Matrix2d{{0, 1}, {0, 0}}, Eigen::Vector2d(0, 1 / 0.73), {0}, {1}};
-  const SampledPlant sampled = discretise(plant, kPeriod, 0.0);
+  const SampledPlant sampled = discretise(plant, kPeriodSeconds, 0.0);
   EXPECT_LE((sampled.A - Eigen::Matrix2d{{1, 0.1}, {0, 1}}).norm(), 1e-15);
   EXPECT_LE((sampled.B_new - Eigen::Vector2d(0.005, 0.1) / 0.73).norm(), 1e-15);
   EXPECT_EQ(sampled.B_old.norm(), 0.0);
   // With latency d the old input pushes first: velocity d/m, position (d²/2 + d (dT − d))/m.
-  const SampledPlant late = discretise(plant, kPeriod, 0.045);
+  const SampledPlant late = discretise(plant, kPeriodSeconds, 0.045);
   EXPECT_LE((late.B_old - Eigen::Vector2d(0.045 * 0.045 / 2 + 0.045 * 0.055, 0.045) / 0.73).norm(), 1e-15);
   EXPECT_LE((late.B_old + late.B_new - sampled.B_new).norm(), 1e-15);
-  EXPECT_THROW(discretise(plant, kPeriod, -0.001), std::invalid_argument);
+  EXPECT_THROW(discretise(plant, kPeriodSeconds, -0.001), std::invalid_argument);
   EXPECT_THROW(discretise(plant, 0.0, 0.0), std::invalid_argument);
 }
 
@@ -64,14 +64,14 @@ TEST(ClosedLoop, FollowsThePiController) {
   // The matrix against the law itself, stepped: two implementations, one motion.
   const PiGains gains{2.4, 0.6, 2.4, 0.6};
   const LinearPlant plant = doubleIntegratorPlant(0.73, 0.0125);
-  const SampledPlant sampled = discretise(plant, kPeriod, 0.045);
+  const SampledPlant sampled = discretise(plant, kPeriodSeconds, 0.045);
   const Eigen::MatrixXd closed = closedLoop(plant, sampled, {gains});
-  PiController pi(gains, kPeriod, {-1e9, 1e9});
+  PiController pi(gains, kPeriodSeconds, {-1e9, 1e9});
   Eigen::Vector3d x(1.0, -0.5, 0.0);
   Eigen::VectorXd state = Eigen::VectorXd::Zero(5);
   state.head(3) = x;
   // The matrix has summed sample 0 already, the law has not: start its sum one sample short.
-  state(3) = -kPeriod * (gains.position_integral * x(0) + gains.velocity_integral * x(1));
+  state(3) = -kPeriodSeconds * (gains.position_integral * x(0) + gains.velocity_integral * x(1));
   double u_last = 0.0;
   for (int k = 0; k < 100; ++k) {
     const double u = pi.update(-x(0), -x(1));
@@ -84,7 +84,7 @@ TEST(ClosedLoop, FollowsThePiController) {
 
 TEST(SpectralRadius, KnowsAnUnstableLoop) {
   const LinearPlant plant = doubleIntegratorPlant(0.73, 0.0125);
-  const SampledPlant sampled = discretise(plant, kPeriod, 0.045);
+  const SampledPlant sampled = discretise(plant, kPeriodSeconds, 0.045);
   EXPECT_GT(spectralRadius(closedLoop(plant, sampled, {{2.4, 0.6, 20.0, 0.0}})), 1.0);
   EXPECT_THROW(margins(plant, sampled, {{2.4, 0.6, 20.0, 0.0}}, 0), std::invalid_argument);
 }
@@ -93,14 +93,14 @@ TEST(Margins, AgreeWithTheFrequencyResponse) {
   // The margins found by eigenvalues against those the phase and the peak of the response promise.
   const PiGains gains{2.4, 0.7, 2.4, 0.6};
   const LinearPlant plant = doubleIntegratorPlant(0.73, 0.0125);
-  const LoopMargins m = margins(plant, discretise(plant, kPeriod, 0.045), {gains}, 0);
+  const LoopMargins m = margins(plant, discretise(plant, kPeriodSeconds, 0.045), {gains}, 0);
   const double peak = m.sensitivity_peak;
   EXPECT_GE(m.gain_up, peak / (peak - 1));
   EXPECT_LE(m.gain_down, peak / (peak + 1));
   EXPECT_GE(m.phase_degrees, 2 * std::asin(0.5 / peak) * 180 / M_PI);
   // At the delay margin's edge the loop oscillates undamped.
   const auto radius = [&](double more) {
-    return spectralRadius(closedLoop(plant, discretise(plant, kPeriod, 0.045 + more), {gains}));
+    return spectralRadius(closedLoop(plant, discretise(plant, kPeriodSeconds, 0.045 + more), {gains}));
   };
   EXPECT_NEAR(radius(m.delay_s), 1.0, 1e-6);
   EXPECT_LT(radius(0.99 * m.delay_s), 1.0);
@@ -110,7 +110,7 @@ TEST(Margins, AgreeWithTheFrequencyResponse) {
 TEST(ClosedLoop, LatencyBeyondAPeriodFollowsTheStepwiseLoop) {
   const PiGains gains{2.0, 0.0, 1.5, 0.0};
   const LinearPlant plant = doubleIntegratorPlant(0.73, 0.025);
-  const SampledPlant sampled = discretise(plant, kPeriod, 0.23);
+  const SampledPlant sampled = discretise(plant, kPeriodSeconds, 0.23);
   ASSERT_EQ(sampled.whole_periods, 2);
   const Eigen::MatrixXd closed = closedLoop(plant, sampled, {gains});
   Eigen::Vector3d x(1.0, 0.0, 0.0);

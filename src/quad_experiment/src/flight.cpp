@@ -10,8 +10,6 @@
 namespace quad_experiment {
 namespace {
 
-double seconds(std::int64_t ns) { return static_cast<double>(ns) / 1e9; }
-
 void requireFlying(const quad_sim::Measurement& now) {
   const quad_sim::Odometry& o = now.odometry;
   if (now.ground_contact_ns) {  // first, for what follows a crash is no news

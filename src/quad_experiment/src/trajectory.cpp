@@ -14,8 +14,6 @@ void cell(std::string& csv, double value) {
   quad_support::appendShortest(csv, value);
 }
 
-double seconds(std::int64_t ns) { return static_cast<double>(ns) / 1e9; }
-
 }  // namespace
 
 std::size_t Trajectory::firstExplored() const {

@@ -34,8 +34,6 @@ class ScratchDirectory : public ::testing::Test {
 
 using AtomicFile = ScratchDirectory;
 
-}  // namespace
-
 TEST(NumberFormat, RoundTripsEveryDouble) {
   const RandomStream random(7, 0, 0);
   for (std::uint64_t i = 0; i < 1000; ++i) {
@@ -169,3 +167,5 @@ TEST(Program, ExceptionsBecomeExitCodes) {
   EXPECT_EQ(code(Interrupted(2)), 130);
   EXPECT_EQ(runProgram("test", [] { return 3; }), 3);
 }
+
+}  // namespace

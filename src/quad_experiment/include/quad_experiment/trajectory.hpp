@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "quad_sim/state.hpp"
 
 namespace quad_experiment {
+
+/// Seconds of a simulated time, which is counted in whole ns.
+inline double seconds(std::int64_t ns) { return static_cast<double>(ns) / 1e9; }
 
 /// Row k: the state at t_k, the command computed from it, and what was measured at the end of the
 /// interval, t_{k+1}.

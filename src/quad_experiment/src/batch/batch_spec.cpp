@@ -19,18 +19,18 @@ namespace {
 using quad_support::ConfigReader;
 using quad_support::Override;
 using quad_support::Range;
-using Kind = Variation::Kind;
+using VariationKind = Variation::Kind;
 
 constexpr std::int64_t kMaxRuns = 1000000000;
 constexpr std::int64_t kMaxInteger = 9007199254740992;  // 2^53: exact as a double
 constexpr int kMaxRedraws = 10000;  // of a normal; one in a thousand inside is as good as certain
 
-const std::vector<std::pair<std::string, Kind>>& kinds() {
-  static const std::vector<std::pair<std::string, Kind>> all = {
-      {"grid", Kind::kGrid},       {"choice", Kind::kChoice},
-      {"uniform", Kind::kUniform}, {"log_uniform", Kind::kLogUniform},
-      {"normal", Kind::kNormal},   {"integer", Kind::kInteger},
-      {"count", Kind::kCount}};
+const std::vector<std::pair<std::string, VariationKind>>& kinds() {
+  static const std::vector<std::pair<std::string, VariationKind>> all = {
+      {"grid", VariationKind::kGrid},       {"choice", VariationKind::kChoice},
+      {"uniform", VariationKind::kUniform}, {"log_uniform", VariationKind::kLogUniform},
+      {"normal", VariationKind::kNormal},   {"integer", VariationKind::kInteger},
+      {"count", VariationKind::kCount}};
   return all;
 }
 
@@ -43,17 +43,17 @@ void readEnds(const ConfigReader& in, const std::string& name, const Range& rang
 
 void readNumbers(const ConfigReader& in, const std::string& name, Variation& v) {
   switch (v.kind) {
-    case Kind::kGrid:
-    case Kind::kChoice:
+    case VariationKind::kGrid:
+    case VariationKind::kChoice:
       v.values = in.values(name);
       break;
-    case Kind::kUniform:
+    case VariationKind::kUniform:
       readEnds(in, name, Range::any(), v);
       break;
-    case Kind::kLogUniform:
+    case VariationKind::kLogUniform:
       readEnds(in, name, Range::positive(), v);
       break;
-    case Kind::kInteger: {
+    case VariationKind::kInteger: {
       const auto ends = in.integers(name, -kMaxInteger, kMaxInteger);
       if (ends.size() != 2 || ends[0] > ends[1] || ends[1] - ends[0] >= kMaxInteger)
         in.fail(name, "must be [low, high], whole numbers with low <= high");
@@ -61,7 +61,7 @@ void readNumbers(const ConfigReader& in, const std::string& name, Variation& v) 
       v.b = static_cast<double>(ends[1]);
       break;
     }
-    case Kind::kNormal: {
+    case VariationKind::kNormal: {
       const auto moments = in.numbers(name, Range::any(), 2);
       v.a = moments[0];
       v.b = moments[1];
@@ -70,7 +70,7 @@ void readNumbers(const ConfigReader& in, const std::string& name, Variation& v) 
       v.max = in.has("max") ? in.number("max", Range::any()) : HUGE_VAL;
       break;
     }
-    case Kind::kCount:
+    case VariationKind::kCount:
       v.a = static_cast<double>(in.integer(name, 0, kMaxInteger - kMaxRuns));
       break;
   }
@@ -96,7 +96,7 @@ Variation readVariation(const ConfigReader& in, const std::string& key) {
     in.fail(key, "must hold one of: grid, choice, uniform, log_uniform, normal, integer, count");
   }
   readNumbers(how, name, v);
-  if (v.kind != Kind::kGrid && how.has("common")) v.common = how.boolean("common");
+  if (v.kind != VariationKind::kGrid && how.has("common")) v.common = how.boolean("common");
   how.finish();
   return v;
 }
@@ -118,22 +118,22 @@ double drawNormal(const Variation& v, const quad_support::RandomStream& random) 
 std::string draw(const Variation& v, std::uint64_t seed, std::int64_t index) {
   const quad_support::RandomStream random(seed, static_cast<std::uint64_t>(index), streamOf(v.key));
   switch (v.kind) {
-    case Kind::kChoice: {
+    case VariationKind::kChoice: {
       const auto count = static_cast<double>(v.values.size());
       return v.values[static_cast<std::size_t>(std::min(random.uniform(0) * count, count - 1.0))];
     }
-    case Kind::kUniform:
+    case VariationKind::kUniform:
       return quad_support::shortest(v.a + (v.b - v.a) * random.uniform(0));
-    case Kind::kLogUniform:
+    case VariationKind::kLogUniform:
       return quad_support::shortest(v.a * std::pow(v.b / v.a, random.uniform(0)));
-    case Kind::kNormal:
+    case VariationKind::kNormal:
       return quad_support::shortest(drawNormal(v, random));
-    case Kind::kInteger:
+    case VariationKind::kInteger:
       return fmt::format("{}", static_cast<std::int64_t>(std::min(
                                    std::floor(v.a + (v.b - v.a + 1.0) * random.uniform(0)), v.b)));
-    case Kind::kCount:
+    case VariationKind::kCount:
       return fmt::format("{}", static_cast<std::int64_t>(v.a) + index);
-    case Kind::kGrid:
+    case VariationKind::kGrid:
       break;
   }
   return {};
@@ -178,7 +178,7 @@ std::vector<Override> BatchSpec::variedSettings(std::int64_t run) const {
   for (std::size_t i = vary.size(); i-- > 0;) {
     const Variation& v = vary[i];
     settings[i].key = v.key;
-    if (v.kind == Kind::kGrid) {
+    if (v.kind == VariationKind::kGrid) {
       const auto count = static_cast<std::int64_t>(v.values.size());
       settings[i].value = v.values[static_cast<std::size_t>(point % count)];
       point /= count;
@@ -212,7 +212,7 @@ BatchSpec readBatchSpec(const std::string& path, std::int64_t repeats) {
   const ConfigReader vary = in.section("vary");
   for (const std::string& key : vary.keys()) {
     spec.vary.push_back(readVariation(vary, key));
-    if (spec.vary.back().kind == Kind::kGrid)
+    if (spec.vary.back().kind == VariationKind::kGrid)
       spec.points *= static_cast<std::int64_t>(spec.vary.back().values.size());
     if (spec.points > kMaxRuns) in.fail("vary", "spans a grid of more than 1e9 points");
   }

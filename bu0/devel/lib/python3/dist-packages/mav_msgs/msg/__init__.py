@@ -1,0 +1,3 @@
+from ._Actuators import *
+from ._AttitudeThrust import *
+from ._RateThrust import *

@@ -1,0 +1,1 @@
+from ._RecordRosbag import *

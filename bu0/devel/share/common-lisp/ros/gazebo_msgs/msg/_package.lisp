@@ -1,0 +1,19 @@
+(cl:defpackage gazebo_msgs-msg
+  (:use )
+  (:export
+   "<LINKSTATE>"
+   "LINKSTATE"
+   "<LINKSTATES>"
+   "LINKSTATES"
+   "<MODELSTATE>"
+   "MODELSTATE"
+   "<MODELSTATES>"
+   "MODELSTATES"
+   "<ODEPHYSICS>"
+   "ODEPHYSICS"
+   "<PERFORMANCEMETRICS>"
+   "PERFORMANCEMETRICS"
+   "<SENSORPERFORMANCEMETRIC>"
+   "SENSORPERFORMANCEMETRIC"
+  ))
+

@@ -1,0 +1,7 @@
+(cl:defpackage rotors_comm-msg
+  (:use )
+  (:export
+   "<WINDSPEED>"
+   "WINDSPEED"
+  ))
+

@@ -1,0 +1,2 @@
+# Empty dependencies file for explore_opt.
+# This may be replaced when dependencies are built.

@@ -1,0 +1,2 @@
+# Empty dependencies file for test_frequency_choice.
+# This may be replaced when dependencies are built.

@@ -1,0 +1,1 @@
+set(ORDERED_PATHS "/work/wt/unity/src/quad_support/include")

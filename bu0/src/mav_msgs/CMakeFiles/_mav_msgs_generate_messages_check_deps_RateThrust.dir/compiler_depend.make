@@ -1,0 +1,2 @@
+# Empty custom commands generated dependencies file for _mav_msgs_generate_messages_check_deps_RateThrust.
+# This may be replaced when dependencies are built.

@@ -1,0 +1,2 @@
+# Empty custom commands generated dependencies file for _quad_control_generate_messages_check_deps_TimingReport.
+# This may be replaced when dependencies are built.

@@ -1,0 +1,2 @@
+# Empty dependencies file for attitude_altitude_controller_node.
+# This may be replaced when dependencies are built.

@@ -1,0 +1,3 @@
+file(REMOVE_RECURSE
+  "../../devel/lib/libquad_control_ros.a"
+)

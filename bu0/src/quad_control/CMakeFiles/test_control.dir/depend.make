@@ -1,0 +1,2 @@
+# Empty dependencies file for test_control.
+# This may be replaced when dependencies are built.

@@ -1,0 +1,24 @@
+
+# Consider dependencies only in project.
+set(CMAKE_DEPENDS_IN_PROJECT_ONLY OFF)
+
+# The set of languages for which implicit dependencies are needed:
+set(CMAKE_DEPENDS_LANGUAGES
+  )
+
+# The set of dependency files which are needed:
+set(CMAKE_DEPENDS_DEPENDENCY_FILES
+  "/work/wt/unity/bu0/src/quad_control/CMakeFiles/time_manager_node.dir/Unity/unity_0_cxx.cxx" "src/quad_control/CMakeFiles/time_manager_node.dir/Unity/unity_0_cxx.cxx.o" "gcc" "src/quad_control/CMakeFiles/time_manager_node.dir/Unity/unity_0_cxx.cxx.o.d"
+  )
+
+# Targets to which this target links.
+set(CMAKE_TARGET_LINKED_INFO_FILES
+  "/work/wt/unity/bu0/src/quad_control/CMakeFiles/quad_control_ros.dir/DependInfo.cmake"
+  "/work/wt/unity/bu0/src/quad_control/CMakeFiles/quad_control.dir/DependInfo.cmake"
+  "/work/wt/unity/bu0/src/quad_sim/CMakeFiles/quad_sim_ros.dir/DependInfo.cmake"
+  "/work/wt/unity/bu0/src/quad_sim/CMakeFiles/quad_sim.dir/DependInfo.cmake"
+  "/work/wt/unity/bu0/src/quad_support/CMakeFiles/quad_support.dir/DependInfo.cmake"
+  )
+
+# Fortran module output directory.
+set(CMAKE_Fortran_TARGET_MODULE_DIR "")

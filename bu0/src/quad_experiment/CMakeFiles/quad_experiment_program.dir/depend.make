@@ -1,0 +1,2 @@
+# Empty dependencies file for quad_experiment_program.
+# This may be replaced when dependencies are built.

@@ -1,0 +1,1 @@
+#define QUAD_GIT_STATE "38ce0d653895"

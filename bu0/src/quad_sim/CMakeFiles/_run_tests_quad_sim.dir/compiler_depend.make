@@ -1,0 +1,2 @@
+# Empty custom commands generated dependencies file for _run_tests_quad_sim.
+# This may be replaced when dependencies are built.

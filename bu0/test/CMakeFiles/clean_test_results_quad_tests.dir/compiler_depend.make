@@ -1,0 +1,2 @@
+# Empty custom commands generated dependencies file for clean_test_results_quad_tests.
+# This may be replaced when dependencies are built.

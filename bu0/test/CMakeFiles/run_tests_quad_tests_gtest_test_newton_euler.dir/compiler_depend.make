@@ -1,0 +1,2 @@
+# Empty custom commands generated dependencies file for run_tests_quad_tests_gtest_test_newton_euler.
+# This may be replaced when dependencies are built.
