@@ -16,15 +16,15 @@ setup:
 	@scripts/setup
 
 configure: setup
-	@[ -f build/Makefile ] || env -u ROS_MASTER_URI -u ROS_HOSTNAME -u ROS_IP cmake -S . -B build >build.log 2>&1 || { cat build.log; exit 1; }
+	@[ -f build/build.ninja ] || [ -f build/Makefile ] || env -u ROS_MASTER_URI -u ROS_HOSTNAME -u ROS_IP cmake -G Ninja -S . -B build >build.log 2>&1 || { cat build.log; exit 1; }
 	@rm -f build.log
 
 build: configure
-	@cmake --build build -j$(J) --target all -- --no-print-directory -s
+	@cmake --build build -j$(J) --target all
 	@touch build/.built
 
 tests: build
-	@cmake --build build -j$(J) --target tests -- --no-print-directory -s
+	@cmake --build build -j$(J) --target tests
 
 test: tests
 	$(RUN) ROS_HOME=$(CURDIR)/build/ros_home ctest --test-dir build -j$(J) --output-on-failure
@@ -47,8 +47,8 @@ batch: build
 
 # A million broken inputs through explore_opt's entries, at the lowest priority.
 fuzz: build
-	@cmake --build build -j$(J) --target fuzz_inputs -- --no-print-directory -s
-	@cmake --build build --target fuzz -- --no-print-directory -s
+	@cmake --build build -j$(J) --target fuzz_inputs
+	@cmake --build build --target fuzz
 
 bench: build
 	@$(RUN) scripts/bench
