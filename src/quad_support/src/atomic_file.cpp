@@ -38,6 +38,14 @@ std::string parentOf(const std::string& path) {
   return parent.empty() ? "." : parent;
 }
 
+/// A device, a pipe or a socket (/dev/null, /dev/stdout) takes the bytes itself: renaming a file
+/// over it would do away with it for every program on the machine.
+bool takesBytesItself(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
 int create(const std::string& path) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (fd < 0) fail("create", path, errno);
@@ -58,7 +66,7 @@ int writeAll(int fd, std::string_view content) {
 
 /// @param error  of the writing before  @returns the first errno, 0 if the file is on the disk
 int syncAndClose(int fd, int error) {
-  if (error == 0 && ::fsync(fd) != 0 && errno != EINVAL) error = errno;
+  if (error == 0 && ::fsync(fd) != 0 && errno != EINVAL && errno != ENOTSUP) error = errno;
   if (::close(fd) != 0 && error == 0) error = errno;
   return error;
 }
@@ -89,6 +97,12 @@ void requireReplaceable(const std::string& path) {
 }  // namespace
 
 void writeFileAtomically(const std::string& path, std::string_view content) {
+  if (takesBytesItself(path)) {
+    const int fd = create(path);
+    const int error = syncAndClose(fd, writeAll(fd, content));
+    if (error != 0) fail("write", path, error);
+    return;
+  }
   const std::string aside = fmt::format("{}.partial-{}", path, ::getpid());
   writeAndSync(aside, content);
   if (::rename(aside.c_str(), path.c_str()) != 0) {
@@ -100,12 +114,14 @@ void writeFileAtomically(const std::string& path, std::string_view content) {
 }
 
 AsideFile::AsideFile(const std::string& path)
-    : path_(path), aside_(fmt::format("{}.partial-{}", path, ::getpid())), fd_(create(aside_)) {}
+    : path_(path),
+      aside_(takesBytesItself(path) ? path : fmt::format("{}.partial-{}", path, ::getpid())),
+      fd_(create(aside_)) {}
 
 AsideFile::~AsideFile() {
   if (fd_ < 0) return;
   ::close(fd_);
-  ::unlink(aside_.c_str());
+  if (aside_ != path_) ::unlink(aside_.c_str());
 }
 
 void AsideFile::append(std::string_view content) {
@@ -115,12 +131,13 @@ void AsideFile::append(std::string_view content) {
 
 void AsideFile::commit() {
   const int error = syncAndClose(std::exchange(fd_, -1), 0);
+  if (error == 0 && aside_ == path_) return;
   if (error == 0 && ::rename(aside_.c_str(), path_.c_str()) == 0) {
     syncPath(parentOf(path_), O_RDONLY | O_DIRECTORY);
     return;
   }
   const int reason = error != 0 ? error : errno;
-  ::unlink(aside_.c_str());
+  if (aside_ != path_) ::unlink(aside_.c_str());
   fail("finish", path_, reason);
 }
 

@@ -1,4 +1,6 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -104,6 +106,27 @@ TEST_F(AtomicFile, ReplacesTheWholeFile) {
   EXPECT_EQ(readFile(path), "second");
   EXPECT_EQ(entries(), 1u);
   EXPECT_THROW(writeFileAtomically(dir_ / "none" / "a.txt", "x"), EnvironmentError);
+}
+
+// Where the user may write in the folder of a device, as root may in /dev, a rename would replace the device by a file.
+TEST_F(AtomicFile, WritesIntoAPipeInsteadOfReplacingIt) {
+  const std::string path = dir_ / "pipe";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  writeFileAtomically(path, "whole");
+  {
+    AsideFile file(path);
+    file.append(" in ");
+    file.append("pieces");
+    file.commit();
+  }
+  char received[64] = {};
+  EXPECT_GT(::read(reader, received, sizeof received - 1), 0);
+  ::close(reader);
+  EXPECT_STREQ(received, "whole in pieces");
+  EXPECT_TRUE(fs::is_fifo(path));
+  EXPECT_EQ(entries(), 1u);
 }
 
 TEST_F(AtomicFile, ResultsAppearOnlyOnCommit) {

@@ -6,7 +6,8 @@
 
 namespace quad_support {
 
-/// Writes `content` beside `path`, flushes it to the disk and renames it into place.
+/// Writes `content` beside `path`, flushes it to the disk and renames it into place. A device, pipe or socket there
+/// (/dev/null, /dev/stdout) stays and is written to.
 /// @throws EnvironmentError naming path and reason; `path` is then as it was before
 void writeFileAtomically(const std::string& path, std::string_view content);
 
