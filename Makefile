@@ -9,10 +9,14 @@ CONFIG ?= config/thesis.yaml
 OUT ?= results/$(basename $(notdir $(CONFIG)))
 RUN := . build/devel/setup.sh &&
 
-.PHONY: setup configure build tests test experiment report batch bench check doctor clean fuzz
+.PHONY: setup extras configure build tests test experiment report batch bench check doctor clean fuzz
 .DEFAULT_GOAL := build
 
 setup:
+	@scripts/setup --without-extras
+
+# Tests and benchmarks also open notebooks, tables, a cluster and another solver.
+extras:
 	@scripts/setup
 
 configure: setup
@@ -23,7 +27,7 @@ build: configure
 	@cmake --build build -j$(J) --target all
 	@touch build/.built
 
-tests: build
+tests: extras build
 	@cmake --build build -j$(J) --target tests
 
 test: tests
@@ -50,11 +54,11 @@ fuzz: build
 	@cmake --build build -j$(J) --target fuzz_inputs
 	@cmake --build build --target fuzz
 
-bench: build
+bench: extras build
 	@$(RUN) scripts/bench
 
 # The rules of the tree that need no build: layers, dependencies, launch files.
-check: setup
+check: extras
 	@for t in test_layers test_launch_files test_setup_and_doctor; do /usr/bin/python3 test/repo/$$t.py || exit $$?; done
 
 doctor:

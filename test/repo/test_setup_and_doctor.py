@@ -47,6 +47,14 @@ class Setup(Tree):
         self.assertEqual(stdout.splitlines(), ["missing Debian packages: no-such-package nor-this-one",
                                                "to install them: scripts/setup"])
 
+    def test_extras_can_be_left_out(self):
+        self.write("packages.txt", "base-files\n# extras: more\n# ... and more\nno-such-package\n")
+        self.assertEqual(self.run_it("scripts/setup", "--without-extras", "--check"), (0, "", ""))
+        self.assertEqual(self.run_it("scripts/setup", "--without-extras"), (0, "", ""))
+        code, stdout, _ = self.run_it("scripts/setup", "--check")
+        self.assertEqual(code, 5)
+        self.assertIn("no-such-package", stdout)
+
     def test_check_sees_changed_requirements(self):
         self.write("requirements.txt", "xacro==1.13.3\n")
         code, stdout, _ = self.run_it("scripts/setup", "--check")
@@ -130,6 +138,10 @@ class Doctor(Tree):
     def test_missing_package(self):
         self.write("packages.txt", "no-such-package\n")
         self.assertIn("missing Debian packages: no-such-package", self.failures())
+
+    def test_missing_extras_are_no_failure(self):
+        self.write("packages.txt", "# extras\nno-such-package\n")
+        self.assertEqual(self.failures(), "")
 
     def test_missing_xacro(self):
         os.remove(self.path(".deps/python/xacro.py"))
