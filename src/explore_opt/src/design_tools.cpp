@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constants.hpp"
 #include "golden_section.hpp"
 #include "quad_support/linear_algebra.hpp"
 #include "quad_support/random_stream.hpp"
@@ -11,7 +12,6 @@
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 

@@ -7,19 +7,17 @@
 #include <limits>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "golden_section.hpp"
 #include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kSweeps = 12;
-constexpr double kLargestCondition = 1e10;  // as of a single fit
-constexpr double kLeastPart = 1e-6;         // so that sets which only together determine all do
+constexpr double kLeastPart = 1e-6;  // so that sets which only together determine all do
 
 using Weights = std::vector<double>;
 using Score = std::function<double(const Weights&)>;

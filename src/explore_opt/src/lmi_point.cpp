@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constants.hpp"
 #include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::Map;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "checks.hpp"
+#include "constants.hpp"
 #include "explore_opt/set_membership.hpp"
 #include "explore_opt/structured_least_squares.hpp"
 #include "quad_support/linear_algebra.hpp"
@@ -12,12 +13,8 @@
 namespace explore_opt {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLargestCondition = 1e10;  // of the scaled regressor, as in least squares
 
 /// Regressors of all experiments over √r: products of rows are their mean information.
 MatrixXd regressor(const ExplorationProblem& problem, const MatrixXd& signal) {

@@ -1,3 +1,0 @@
-from ._Actuators import *
-from ._AttitudeThrust import *
-from ._RateThrust import *

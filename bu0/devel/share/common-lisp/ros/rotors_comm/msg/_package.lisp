@@ -1,7 +1,0 @@
-(cl:defpackage rotors_comm-msg
-  (:use )
-  (:export
-   "<WINDSPEED>"
-   "WINDSPEED"
-  ))
-

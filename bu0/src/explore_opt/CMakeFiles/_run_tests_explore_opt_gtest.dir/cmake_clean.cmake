@@ -1,5 +1,0 @@
-
-# Per-language clean rules from dependency scanning.
-foreach(lang )
-  include(CMakeFiles/_run_tests_explore_opt_gtest.dir/cmake_clean_${lang}.cmake OPTIONAL)
-endforeach()

@@ -1,2 +1,0 @@
-# Empty dependencies file for relaxation_instances.
-# This may be replaced when dependencies are built.

@@ -1,2 +1,0 @@
-# Empty custom commands generated dependencies file for run_tests_explore_opt_gtest_test_relaxation.
-# This may be replaced when dependencies are built.

@@ -1,1 +1,0 @@
-set(ORDERED_PATHS "/work/wt/unity/src/quad_support/include")

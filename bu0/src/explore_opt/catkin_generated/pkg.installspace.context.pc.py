@@ -1,9 +1,0 @@
-# generated from catkin/cmake/template/pkg.context.pc.in
-CATKIN_PACKAGE_PREFIX = ""
-PROJECT_PKG_CONFIG_INCLUDE_DIRS = "${prefix}/include".split(';') if "${prefix}/include" != "" else []
-PROJECT_CATKIN_DEPENDS = "quad_support".replace(';', ' ')
-PKG_CONFIG_LIBRARIES_WITH_PREFIX = "-lexplore_opt".split(';') if "-lexplore_opt" != "" else []
-PROJECT_NAME = "explore_opt"
-PROJECT_SPACE_DIR = "/work/wt/unity/bu0/install"
-PROJECT_VERSION = "0.1.0"
-PROJECT_LIB_DIR = "lib"

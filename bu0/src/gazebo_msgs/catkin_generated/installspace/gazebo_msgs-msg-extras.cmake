@@ -1,2 +1,0 @@
-set(gazebo_msgs_MESSAGE_FILES "msg/LinkState.msg;msg/LinkStates.msg;msg/ModelState.msg;msg/ModelStates.msg;msg/ODEPhysics.msg;msg/PerformanceMetrics.msg;msg/SensorPerformanceMetric.msg")
-set(gazebo_msgs_SERVICE_FILES "srv/ApplyBodyWrench.srv;srv/BodyRequest.srv;srv/DeleteModel.srv;srv/GetJointProperties.srv;srv/GetLinkProperties.srv;srv/GetLinkState.srv;srv/GetModelProperties.srv;srv/GetModelState.srv;srv/GetPhysicsProperties.srv;srv/GetWorldProperties.srv;srv/SetLinkState.srv;srv/SetModelState.srv;srv/SetPhysicsProperties.srv;srv/SpawnModel.srv")

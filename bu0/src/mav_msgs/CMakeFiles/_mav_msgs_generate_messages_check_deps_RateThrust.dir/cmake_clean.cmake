@@ -1,8 +1,0 @@
-file(REMOVE_RECURSE
-  "CMakeFiles/_mav_msgs_generate_messages_check_deps_RateThrust"
-)
-
-# Per-language clean rules from dependency scanning.
-foreach(lang )
-  include(CMakeFiles/_mav_msgs_generate_messages_check_deps_RateThrust.dir/cmake_clean_${lang}.cmake OPTIONAL)
-endforeach()

@@ -1,2 +1,0 @@
-# Empty custom commands generated dependencies file for _quad_control_generate_messages_check_deps_SetFlightPlan.
-# This may be replaced when dependencies are built.

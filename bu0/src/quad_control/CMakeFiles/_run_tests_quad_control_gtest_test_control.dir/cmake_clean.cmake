@@ -1,8 +1,0 @@
-file(REMOVE_RECURSE
-  "CMakeFiles/_run_tests_quad_control_gtest_test_control"
-)
-
-# Per-language clean rules from dependency scanning.
-foreach(lang )
-  include(CMakeFiles/_run_tests_quad_control_gtest_test_control.dir/cmake_clean_${lang}.cmake OPTIONAL)
-endforeach()

@@ -1,2 +1,0 @@
-# Empty custom commands generated dependencies file for _run_tests_quad_control_gtest_test_control.
-# This may be replaced when dependencies are built.

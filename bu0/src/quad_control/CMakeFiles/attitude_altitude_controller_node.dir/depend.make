@@ -1,2 +1,0 @@
-# Empty dependencies file for attitude_altitude_controller_node.
-# This may be replaced when dependencies are built.

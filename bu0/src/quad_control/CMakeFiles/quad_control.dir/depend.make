@@ -1,2 +1,0 @@
-# Empty dependencies file for quad_control.
-# This may be replaced when dependencies are built.

@@ -1,3 +1,0 @@
-file(REMOVE_RECURSE
-  "../../devel/lib/libquad_control_ros.a"
-)

@@ -1,2 +1,0 @@
-# Empty compiler generated dependencies file for quad_control_ros.
-# This may be replaced when dependencies are built.

@@ -1,2 +1,0 @@
-# Empty dependencies file for time_manager_node.
-# This may be replaced when dependencies are built.

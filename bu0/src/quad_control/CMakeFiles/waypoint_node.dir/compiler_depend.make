@@ -1,2 +1,0 @@
-# Empty compiler generated dependencies file for waypoint_node.
-# This may be replaced when dependencies are built.

@@ -1,1 +1,0 @@
-#define QUAD_GIT_STATE "38ce0d653895"

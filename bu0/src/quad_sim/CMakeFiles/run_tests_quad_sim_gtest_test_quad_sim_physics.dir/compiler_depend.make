@@ -1,2 +1,0 @@
-# Empty custom commands generated dependencies file for run_tests_quad_sim_gtest_test_quad_sim_physics.
-# This may be replaced when dependencies are built.

@@ -1,2 +1,0 @@
-# Empty dependencies file for test_quad_sim_physics.
-# This may be replaced when dependencies are built.

@@ -1,9 +1,0 @@
-# generated from catkin/cmake/template/pkg.context.pc.in
-CATKIN_PACKAGE_PREFIX = ""
-PROJECT_PKG_CONFIG_INCLUDE_DIRS = "\${prefix}/include;/usr/include/eigen3".split(';') if "\${prefix}/include;/usr/include/eigen3" != "" else []
-PROJECT_CATKIN_DEPENDS = "quad_support;message_runtime;nav_msgs;mav_msgs".replace(';', ' ')
-PKG_CONFIG_LIBRARIES_WITH_PREFIX = "-lquad_sim;-lquad_sim_ros".split(';') if "-lquad_sim;-lquad_sim_ros" != "" else []
-PROJECT_NAME = "quad_sim"
-PROJECT_SPACE_DIR = "/work/wt/unity/bu0/install"
-PROJECT_VERSION = "0.1.0"
-PROJECT_LIB_DIR = "lib"

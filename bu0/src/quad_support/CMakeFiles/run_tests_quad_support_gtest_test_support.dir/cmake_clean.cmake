@@ -1,8 +1,0 @@
-file(REMOVE_RECURSE
-  "CMakeFiles/run_tests_quad_support_gtest_test_support"
-)
-
-# Per-language clean rules from dependency scanning.
-foreach(lang )
-  include(CMakeFiles/run_tests_quad_support_gtest_test_support.dir/cmake_clean_${lang}.cmake OPTIONAL)
-endforeach()

@@ -1,2 +1,0 @@
-# Empty custom commands generated dependencies file for _rotors_comm_generate_messages_check_deps_WindSpeed.
-# This may be replaced when dependencies are built.

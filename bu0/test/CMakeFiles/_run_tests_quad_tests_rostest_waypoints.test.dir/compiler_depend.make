@@ -1,2 +1,0 @@
-# Empty custom commands generated dependencies file for _run_tests_quad_tests_rostest_waypoints.test.
-# This may be replaced when dependencies are built.

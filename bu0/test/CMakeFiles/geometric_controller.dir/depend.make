@@ -1,2 +1,0 @@
-# Empty dependencies file for geometric_controller.
-# This may be replaced when dependencies are built.

@@ -1,8 +1,0 @@
-file(REMOVE_RECURSE
-  "CMakeFiles/run_tests_quad_tests_gtest_test_wire_formats"
-)
-
-# Per-language clean rules from dependency scanning.
-foreach(lang )
-  include(CMakeFiles/run_tests_quad_tests_gtest_test_wire_formats.dir/cmake_clean_${lang}.cmake OPTIONAL)
-endforeach()

@@ -1,8 +1,0 @@
-file(REMOVE_RECURSE
-  "CMakeFiles/run_tests_quad_tests_rostest_rotors_controller.test"
-)
-
-# Per-language clean rules from dependency scanning.
-foreach(lang )
-  include(CMakeFiles/run_tests_quad_tests_rostest_rotors_controller.test.dir/cmake_clean_${lang}.cmake OPTIONAL)
-endforeach()

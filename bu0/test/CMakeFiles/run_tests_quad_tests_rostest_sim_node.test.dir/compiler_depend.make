@@ -1,2 +1,0 @@
-# Empty custom commands generated dependencies file for run_tests_quad_tests_rostest_sim_node.test.
-# This may be replaced when dependencies are built.
