@@ -10,6 +10,16 @@
 namespace quad_experiment {
 namespace {
 
+/// No multirotor goes beyond; numbers that grow without end stop here, long before they overflow.
+constexpr double kFarthest = 1e6;  // [m]
+constexpr double kFastest = 1e4;   // [m/s], [rad/s]
+
+/// False for NaN too.
+bool isPlausible(const quad_sim::Odometry& o) {
+  return o.p_WB.norm() < kFarthest && o.v_WB_B.norm() < kFastest && o.w_WB_B.norm() < kFastest &&
+         o.q_WB.coeffs().allFinite();
+}
+
 void requireFlying(const quad_sim::Measurement& now) {
   const quad_sim::Odometry& o = now.odometry;
   if (now.ground_contact_ns) {  // first, for what follows a crash is no news
@@ -17,10 +27,12 @@ void requireFlying(const quad_sim::Measurement& now) {
         fmt::format("the vehicle reached the ground at {} s; raise simulation.initial_altitude",
                     seconds(*now.ground_contact_ns)));
   }
-  if (!o.p_WB.allFinite() || !o.q_WB.coeffs().allFinite() || !o.v_WB_B.allFinite() ||
-      !o.w_WB_B.allFinite()) {
+  if (!isPlausible(o)) {
     throw quad_support::SimulationError(fmt::format(
-        "the simulation diverged: the state at {} s is not finite", seconds(o.time_ns)));
+        "the simulation diverged: at {} s the vehicle is {:.3g} m away, at {:.3g} m/s and {:.3g} "
+        "rad/s; no vehicle goes beyond {:g} m, {:g} m/s, {:g} rad/s",
+        seconds(o.time_ns), o.p_WB.norm(), o.v_WB_B.norm(), o.w_WB_B.norm(), kFarthest, kFastest,
+        kFastest));
   }
   if ((o.q_WB * Eigen::Vector3d::UnitZ()).z() < 0.0) {
     throw quad_support::SimulationError(fmt::format(

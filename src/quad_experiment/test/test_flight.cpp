@@ -31,15 +31,15 @@ class FakePlant : public Plant {
     commands_.push_back(command);
     now_.odometry.time_ns += interval.steps * kMillisecond;
     now_.odometry.p_WB.z() += z_per_interval;
-    if (now_.odometry.time_ns == nan_at_ns)
-      now_.odometry.p_WB.x() = std::numeric_limits<double>::quiet_NaN();
+    if (now_.odometry.time_ns == lost_at_ns) now_.odometry.p_WB.x() = lost_at;
     if (contact_ns >= 0 && now_.odometry.time_ns > contact_ns) now_.ground_contact_ns = contact_ns;
     return now_;
   }
   std::vector<quad_control::ControlOutput> end() override { return commands_; }
 
   double z_per_interval = 0.1;
-  std::int64_t nan_at_ns = -1, contact_ns = -1;
+  std::int64_t lost_at_ns = -1, contact_ns = -1;
+  double lost_at = 0.0;
   std::vector<quad_control::ControlOutput> commands_;
   quad_sim::Measurement now_;
 };
@@ -107,9 +107,12 @@ TEST(Fly, GroundAndDivergenceEndTheFlight) {
   FakePlant bouncing;
   bouncing.contact_ns = 250 * kMillisecond;
   EXPECT_THROW(fly(bouncing, spec(7), kExact), GroundContact);
-  FakePlant diverging;
-  diverging.nan_at_ns = 300 * kMillisecond;
-  EXPECT_THROW(fly(diverging, spec(7), kExact), quad_support::SimulationError);
+  for (const double place : {std::numeric_limits<double>::quiet_NaN(), 1e168}) {
+    FakePlant diverging;
+    diverging.lost_at_ns = 300 * kMillisecond;
+    diverging.lost_at = place;
+    EXPECT_THROW(fly(diverging, spec(7), kExact), quad_support::SimulationError) << place;
+  }
 }
 
 TEST(Fly, AMissingCommandIsAnError) {
