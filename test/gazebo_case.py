@@ -73,6 +73,12 @@ class GazeboCase(unittest.TestCase):
             self.addCleanup(call, "/gazebo/delete_model", ask.DeleteModel, name)
         return answer
 
+    def listen(self, topic, kind, callback):
+        """Until the end of the test. rospy keeps one subscription a topic: one that outlives its test would lend the
+        next test its type, and its connection to a publisher that is gone."""
+        subscriber = rospy.Subscriber(topic, kind, callback, queue_size=1)
+        self.addCleanup(subscriber.unregister)
+
     def wind_and_bag(self, **tags):
         settings = dict(bagFileName=os.path.join(self.folder, "flight.bag"), linkName="hummingbird/base_link",
                         frameId="hummingbird/base_link", rotorVelocitySlowdownSim="10", waitToRecordBag="true")

@@ -26,16 +26,15 @@ class GazeboServices(GazeboCase):
     # All of it.
 
     def test_every_topic_speaks(self):
-        self.assertTrue(self.spawn("bee", added=self.wind_and_bag()).success)
+        self.assertTrue(self.spawn("moth", added=self.wind_and_bag()).success)
         published, _, _ = rosgraph.Master("/test").getSystemState()
         topics = [t for t, nodes in published if nodes == ["/gazebo"] and not t.startswith("/rosout")]
         self.assertGreaterEqual(len(topics), 20 + 21 + 5)  # of two vehicles, one with wind, and of the world
         heard = set()
-        subscribers = [rospy.Subscriber(t, rospy.AnyMsg, lambda _, t=t: heard.add(t), queue_size=1) for t in topics]
+        for topic in topics:
+            self.listen(topic, rospy.AnyMsg, lambda _, t=topic: heard.add(t))
         eventually(lambda: step(20) and len(heard) == len(topics))
         self.assertEqual(sorted(set(topics) - heard), [])
-        for subscriber in subscribers:
-            subscriber.unregister()
 
     def test_every_service_is_documented_and_asked_by_some_test(self):
         self.assertTrue(self.spawn("bee", added=self.wind_and_bag()).success)
@@ -78,7 +77,7 @@ class GazeboServices(GazeboCase):
         answer = self.spawn("bee", z=10.0, initial_pose=Pose(Point(0, 0, 10), LEVEL), reference_frame="hummingbird")
         self.assertTrue(answer.success, answer.status_message)
         heard = []
-        rospy.Subscriber("/bee/motor_speed", Actuators, heard.append, queue_size=1)
+        self.listen("/bee/motor_speed", Actuators, heard.append)
         commands = rospy.Publisher("/bee/command/motor_speed", Actuators, queue_size=1, latch=True)
         commands.publish(angular_velocities=[500] * 4)
         self.assertTrue(eventually(lambda: heard and min(map(abs, heard[-1].angular_velocities)) > 499))
@@ -113,7 +112,7 @@ class GazeboServices(GazeboCase):
 
     def test_link_states_are_those_of_the_parts(self):
         heard = []
-        rospy.Subscriber("/gazebo/link_states", gazebo.LinkStates, heard.append, queue_size=1)
+        self.listen("/gazebo/link_states", gazebo.LinkStates, heard.append)
         self.assertTrue(eventually(lambda: step(0) and heard))
         names = heard[-1].name
         self.assertEqual(names[:2], ["ground_plane::link", "hummingbird::hummingbird/base_link"])
@@ -201,7 +200,7 @@ class GazeboServices(GazeboCase):
     def test_external_force_is_the_winds(self):
         self.assertTrue(self.spawn("bee", added=self.wind_and_bag()).success)
         heard = []
-        rospy.Subscriber("/bee/external_force", WrenchStamped, heard.append, queue_size=1)
+        self.listen("/bee/external_force", WrenchStamped, heard.append)
         self.assertTrue(eventually(lambda: step(10) and heard))
         self.assertEqual(heard[-1].wrench.force.x, 0.5)
         self.assertEqual(heard[-1].header.frame_id, "world")
