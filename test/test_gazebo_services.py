@@ -79,6 +79,7 @@ class GazeboServices(GazeboCase):
         heard = []
         self.listen("/bee/motor_speed", Actuators, heard.append)
         commands = rospy.Publisher("/bee/command/motor_speed", Actuators, queue_size=1, latch=True)
+        self.addCleanup(commands.unregister)  # or the next "bee" would hear it too
         commands.publish(angular_velocities=[500] * 4)
         self.assertTrue(eventually(lambda: heard and min(map(abs, heard[-1].angular_velocities)) > 499))
         call("/gazebo/pause_physics", Empty)
