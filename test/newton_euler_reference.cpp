@@ -17,10 +17,11 @@ constexpr double kMass = kBaseMass + 4 * kRotorMass + kImuMass + 3 * kMarkerMass
 constexpr double kArm = 0.17, kHeight = 0.01;
 constexpr double kThrust = 8.54858e-06, kMoment = 0.016, kDrag = 8.06428e-05, kRolling = 1e-6;
 constexpr double kUp = 0.0125, kDown = 0.025, kMaxSpeed = 838.0;
-const std::array<Vector3d, 4> kHub = {Vector3d(kArm, 0, kHeight), Vector3d(0, kArm, kHeight), Vector3d(-kArm, 0, kHeight),
-                                      Vector3d(0, -kArm, kHeight)};
+const std::array<Vector3d, 4> kHub = {Vector3d(kArm, 0, kHeight), Vector3d(0, kArm, kHeight),
+                                      Vector3d(-kArm, 0, kHeight), Vector3d(0, -kArm, kHeight)};
 constexpr std::array<int, 4> kSpin = {-1, 1, -1, 1};
-// A rotor: a box of 0.1 x 0.015 x 0.003 m, as RotorS's macro computes it (with 0.0833333 for a twelfth).
+// A rotor: a box of 0.1 x 0.015 x 0.003 m, as RotorS's macro computes it (with 0.0833333 for a
+// twelfth).
 constexpr double kBox = 0.0833333 * kRotorMass;
 constexpr double kAxial = kBox * (0.1 * 0.1 + 0.015 * 0.015);
 constexpr double kTransverse = 0.5 * kBox * (0.1 * 0.1 + 0.015 * 0.015 + 2 * 0.003 * 0.003);
@@ -38,7 +39,8 @@ Matrix3d inertia() {
   return I - kMass * (c.dot(c) * Matrix3d::Identity() - c * c.transpose());
 }
 
-/// Unknowns at the centre of mass: position, velocity, quaternion as a 4-vector (w, x, y, z), rates, rotor speeds.
+/// Unknowns at the centre of mass: position, velocity, quaternion as a 4-vector (w, x, y, z),
+/// rates, rotor speeds.
 struct Unknowns {
   Vector3d p, v;
   Eigen::Vector4d q;
@@ -56,17 +58,21 @@ Matrix3d rotation(const Eigen::Vector4d& q) {
 
 /// Quaternion rate (1/2) q * (0, w).
 Eigen::Vector4d turning(const Eigen::Vector4d& q, const Vector3d& w) {
-  return 0.5 * Eigen::Vector4d(-q[1] * w[0] - q[2] * w[1] - q[3] * w[2], q[0] * w[0] + q[2] * w[2] - q[3] * w[1],
-                               q[0] * w[1] + q[3] * w[0] - q[1] * w[2], q[0] * w[2] + q[1] * w[1] - q[2] * w[0]);
+  return 0.5 * Eigen::Vector4d(-q[1] * w[0] - q[2] * w[1] - q[3] * w[2],
+                               q[0] * w[0] + q[2] * w[2] - q[3] * w[1],
+                               q[0] * w[1] + q[3] * w[0] - q[1] * w[2],
+                               q[0] * w[2] + q[1] * w[1] - q[2] * w[0]);
 }
 
-/// Newton's and Euler's equations: m v' = R F - m g; (I w + h)' + w x (I w + h) = tau, h the rotors' momentum.
+/// Newton's and Euler's equations: m v' = R F - m g; (I w + h)' + w x (I w + h) = tau, h the
+/// rotors' momentum.
 Unknowns derivative(const Unknowns& x, const Speeds& command) {
   static const Matrix3d I = inertia(), I_inverse = I.inverse();
   static const Vector3d c = centreOfMass();
   const Matrix3d R = rotation(x.q);
   const Vector3d v_B = R.transpose() * x.v;
-  Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero(), momentum = Vector3d::Zero(), momentum_rate = Vector3d::Zero();
+  Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero(), momentum = Vector3d::Zero(),
+           momentum_rate = Vector3d::Zero();
   Unknowns d;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
@@ -91,8 +97,8 @@ Unknowns derivative(const Unknowns& x, const Speeds& command) {
 }
 
 Unknowns rungeKutta(const Unknowns& x, const Speeds& u, double h) {
-  const Unknowns a = derivative(x, u), b = derivative(add(x, a, h / 2), u), c = derivative(add(x, b, h / 2), u),
-                 d = derivative(add(x, c, h), u);
+  const Unknowns a = derivative(x, u), b = derivative(add(x, a, h / 2), u),
+                 c = derivative(add(x, b, h / 2), u), d = derivative(add(x, c, h), u);
   Unknowns y = add(add(add(add(x, a, h / 6), b, h / 3), c, h / 3), d, h / 6);
   y.q.normalize();
   return y;
@@ -110,11 +116,13 @@ Unknowns semiImplicitEuler(const Unknowns& x, const Speeds& u, double h) {
 
 double hoverSpeed() { return std::sqrt(kMass * kGravity / (4 * kThrust)); }
 
-State integrate(const State& start, const Command& command, double duration, double h, Method method) {
+State integrate(const State& start, const Command& command, double duration, double h,
+                Method method) {
   const Vector3d c = centreOfMass();
   const Matrix3d R0 = start.q.normalized().toRotationMatrix();
-  Unknowns x{start.p + R0 * c, start.v + R0 * start.w.cross(c), Eigen::Vector4d(start.q.w(), start.q.x(), start.q.y(), start.q.z()),
-             start.w, Eigen::Vector4d(start.rotor[0], start.rotor[1], start.rotor[2], start.rotor[3])};
+  Unknowns x{start.p + R0 * c, start.v + R0 * start.w.cross(c),
+             Eigen::Vector4d(start.q.w(), start.q.x(), start.q.y(), start.q.z()), start.w,
+             Eigen::Vector4d(start.rotor[0], start.rotor[1], start.rotor[2], start.rotor[3])};
   const long steps = std::lround(duration / h);
   for (long k = 0; k < steps; ++k) {
     const Speeds u = command((static_cast<double>(k) + 0.5) * h);  // the middle: no doubt at a jump
@@ -131,9 +139,11 @@ State integrate(const State& start, const Command& command, double duration, dou
 }
 
 double distance(const State& a, const State& b) {
-  double worst = std::max({(a.p - b.p).cwiseAbs().maxCoeff(), (a.v - b.v).cwiseAbs().maxCoeff(),
-                           (a.w - b.w).cwiseAbs().maxCoeff(), 2 * (a.q.conjugate() * b.q).vec().norm()});
-  for (std::size_t i = 0; i < 4; ++i) worst = std::max(worst, std::abs(a.rotor[i] - b.rotor[i]) / 100);
+  double worst =
+      std::max({(a.p - b.p).cwiseAbs().maxCoeff(), (a.v - b.v).cwiseAbs().maxCoeff(),
+                (a.w - b.w).cwiseAbs().maxCoeff(), 2 * (a.q.conjugate() * b.q).vec().norm()});
+  for (std::size_t i = 0; i < 4; ++i)
+    worst = std::max(worst, std::abs(a.rotor[i] - b.rotor[i]) / 100);
   return worst;
 }
 

@@ -1,5 +1,6 @@
-// The simulator against Newton and Euler (newton_euler_reference.hpp): thesis Eqs. (1.1), (1.2), (1.4), with rotor lag,
-// H-force and rolling moment. Judged by the order of convergence, and against what a plain first-order method errs.
+// The simulator against Newton and Euler (newton_euler_reference.hpp): thesis Eqs. (1.1), (1.2),
+// (1.4), with rotor lag, H-force and rolling moment. Judged by the order of convergence, and
+// against what a plain first-order method errs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +46,9 @@ reference::Command stepBy(const Speeds& offset) {
 }
 
 std::vector<Scenario> scenarios() {
-  const auto constant = [](double value) { return [value](double) { return Speeds{value, value, value, value}; }; };
+  const auto constant = [](double value) {
+    return [value](double) { return Speeds{value, value, value, value}; };
+  };
   std::vector<Scenario> all;
   State s;
   s.v = Vector3d(1, 0, 2);
@@ -82,7 +85,8 @@ std::vector<Scenario> hinged() {
 }
 
 State simulate(const Scenario& scenario, int steps_per_10ms) {
-  const quad_sim::VehicleModel model = quad_sim::loadVehicle(quad_sim::findUrdf("hummingbird.urdf", ""));
+  const quad_sim::VehicleModel model =
+      quad_sim::loadVehicle(quad_sim::findUrdf("hummingbird.urdf", ""));
   quad_sim::SimulatorOptions options;
   options.step = 0.01 / steps_per_10ms;
   options.ground = false;
@@ -111,20 +115,26 @@ class NewtonEuler : public testing::TestWithParam<Scenario> {};
 
 TEST_P(NewtonEuler, ErrorShrinksWithTheStepAndIsSmall) {
   const Scenario& scenario = GetParam();
-  const State truth = reference::integrate(scenario.start, scenario.command, scenario.duration, 1e-4, Method::kRungeKutta4);
-  const State check = reference::integrate(scenario.start, scenario.command, scenario.duration, 2e-4, Method::kRungeKutta4);
-  const State euler = reference::integrate(scenario.start, scenario.command, scenario.duration, 1e-3, Method::kSemiImplicitEuler);
-  // Halving the reference's step must not change it by more than it is trusted: its error is a fifteenth of that.
+  const State truth = reference::integrate(scenario.start, scenario.command, scenario.duration,
+                                           1e-4, Method::kRungeKutta4);
+  const State check = reference::integrate(scenario.start, scenario.command, scenario.duration,
+                                           2e-4, Method::kRungeKutta4);
+  const State euler = reference::integrate(scenario.start, scenario.command, scenario.duration,
+                                           1e-3, Method::kSemiImplicitEuler);
+  // Halving the reference's step must not change it by more than it is trusted: its error is a
+  // fifteenth of that.
   constexpr double kTrusted = 1e-9;
   ASSERT_LT(distance(truth, check), kTrusted);
 
-  const double coarse = distance(simulate(scenario, 5), truth);   // 2 ms
-  const double fine = distance(simulate(scenario, 10), truth);    // 1 ms
+  const double coarse = distance(simulate(scenario, 5), truth);  // 2 ms
+  const double fine = distance(simulate(scenario, 10), truth);   // 1 ms
   const double first_order = distance(euler, truth);
   RecordProperty("error_1ms", std::to_string(fine));
-  std::printf("%-20s error at 2 ms %.2e, at 1 ms %.2e (ratio %.2f); semi-implicit Euler at 1 ms %.2e\n", scenario.name.c_str(),
-              coarse, fine, coarse / fine, first_order);
-  // First order would be a ratio of 2; 1.9 leaves room for the next order. Below kTrusted there is nothing to compare.
+  std::printf(
+      "%-20s error at 2 ms %.2e, at 1 ms %.2e (ratio %.2f); semi-implicit Euler at 1 ms %.2e\n",
+      scenario.name.c_str(), coarse, fine, coarse / fine, first_order);
+  // First order would be a ratio of 2; 1.9 leaves room for the next order. Below kTrusted there is
+  // nothing to compare.
   if (fine > kTrusted) {
     EXPECT_GE(coarse / fine, 1.9);
     EXPECT_LE(fine, 2 * first_order);
@@ -133,27 +143,35 @@ TEST_P(NewtonEuler, ErrorShrinksWithTheStepAndIsSmall) {
 
 TEST_P(NewtonEuler, FoldedAndHingedAgree) {
   Scenario scenario = GetParam();
-  const State euler = reference::integrate(scenario.start, scenario.command, scenario.duration, 1e-3, Method::kSemiImplicitEuler);
-  const State truth = reference::integrate(scenario.start, scenario.command, scenario.duration, 1e-4, Method::kRungeKutta4);
+  const State euler = reference::integrate(scenario.start, scenario.command, scenario.duration,
+                                           1e-3, Method::kSemiImplicitEuler);
+  const State truth = reference::integrate(scenario.start, scenario.command, scenario.duration,
+                                           1e-4, Method::kRungeKutta4);
   scenario.multibody = Multibody::kFolded;
   const State folded = simulate(scenario, 10);
   scenario.multibody = Multibody::kHinged;
   const State hinged = simulate(scenario, 10);
-  // Within what an honest first-order method may be off, twice; 1e-9 is what the reference is trusted for.
+  // Within what an honest first-order method may be off, twice; 1e-9 is what the reference is
+  // trusted for.
   EXPECT_LE(distance(folded, hinged), std::max(2 * distance(euler, truth), 1e-9));
 }
 
 INSTANTIATE_TEST_SUITE_P(Flights, NewtonEuler, testing::ValuesIn(scenarios()),
-                         [](const testing::TestParamInfo<Scenario>& info) { return info.param.name; });
+                         [](const testing::TestParamInfo<Scenario>& info) {
+                           return info.param.name;
+                         });
 
 INSTANTIATE_TEST_SUITE_P(Hinged, NewtonEuler, testing::ValuesIn(hinged()),
-                         [](const testing::TestParamInfo<Scenario>& info) { return info.param.name; });
+                         [](const testing::TestParamInfo<Scenario>& info) {
+                           return info.param.name;
+                         });
 
 TEST(NewtonEulerReference, TheFlightsDoSomething) {
   // A scenario that stays at its start would pass whatever the simulator does.
   for (const Scenario& scenario : scenarios()) {
     if (scenario.name == "Hover") continue;
-    const State end = reference::integrate(scenario.start, scenario.command, scenario.duration, 1e-3, Method::kRungeKutta4);
+    const State end = reference::integrate(scenario.start, scenario.command, scenario.duration,
+                                           1e-3, Method::kRungeKutta4);
     EXPECT_GT(distance(end, scenario.start), 0.05) << scenario.name;
   }
 }

@@ -1,4 +1,5 @@
-// The simulator node with two vehicles: every topic, saved states, physics properties, the tally of commands.
+// The simulator node with two vehicles: every topic, saved states, physics properties, the tally of
+// commands.
 #include <gazebo_msgs/GetModelState.h>
 #include <gazebo_msgs/GetPhysicsProperties.h>
 #include <gazebo_msgs/GetWorldProperties.h>
@@ -28,8 +29,8 @@
 #include <sstream>
 #include <thread>
 
-#include "quad_sim_ros/conversions.hpp"
 #include "quad_sim/simulation_config.hpp"
+#include "quad_sim_ros/conversions.hpp"
 
 namespace {
 
@@ -52,11 +53,11 @@ template <class Message>
 class Listener {
  public:
   explicit Listener(const std::string& topic) {
-    const boost::function<void(const typename Message::ConstPtr&)> take = [this](const typename Message::ConstPtr& m) {
-      last = m;
-    };
+    const boost::function<void(const typename Message::ConstPtr&)> take =
+        [this](const typename Message::ConstPtr& m) { last = m; };
     subscriber_ = ros::NodeHandle().subscribe<Message>(topic, 10, take);
-    EXPECT_TRUE(eventually([&] { return subscriber_.getNumPublishers() > 0; })) << "nobody publishes " << topic;
+    EXPECT_TRUE(eventually([&] { return subscriber_.getNumPublishers() > 0; }))
+        << "nobody publishes " << topic;
   }
   typename Message::ConstPtr last;
 
@@ -69,7 +70,8 @@ class Surface : public testing::Test {
   void SetUp() override {
     ASSERT_TRUE(ros::service::waitForService("/gazebo/restore_state", ros::Duration(20)));
     for (const char* bee : {"bee1", "bee2"}) {
-      commands_[bee] = n_.advertise<mav_msgs::Actuators>(std::string("/") + bee + "/command/motor_speed", 10);
+      commands_[bee] =
+          n_.advertise<mav_msgs::Actuators>(std::string("/") + bee + "/command/motor_speed", 10);
     }
     for (auto& entry : commands_) {
       ASSERT_TRUE(eventually([&] { return entry.second.getNumSubscribers() > 0; }));
@@ -87,8 +89,8 @@ class Surface : public testing::Test {
     message.angular_velocities = speeds;
     commands_.at(bee).publish(message);
   }
-  Step::Response step(std::uint32_t steps, ros::Time stamp = ros::Time(), std::vector<std::string> wait_for = {},
-                      double timeout = 10) {
+  Step::Response step(std::uint32_t steps, ros::Time stamp = ros::Time(),
+                      std::vector<std::string> wait_for = {}, double timeout = 10) {
     Step s;
     s.request.steps = steps;
     s.request.command_stamp = stamp;
@@ -97,7 +99,8 @@ class Surface : public testing::Test {
     EXPECT_TRUE(ros::service::call("/gazebo/step", s));
     return s.response;
   }
-  gazebo_msgs::GetModelState::Response modelState(const std::string& name, const std::string& relative = "") {
+  gazebo_msgs::GetModelState::Response modelState(const std::string& name,
+                                                  const std::string& relative = "") {
     gazebo_msgs::GetModelState get;
     get.request.model_name = name;
     get.request.relative_entity_name = relative;
@@ -127,7 +130,9 @@ class Surface : public testing::Test {
   void fly(int from, int to) {
     for (int k = from; k < to; ++k) {
       const ros::Time stamp = step(0).odometry.header.stamp;
-      send("bee1", stamp, {465 + 5 * std::sin(k), 466 - 4 * std::cos(k), 464 + 3 * std::cos(k), 465 - 5 * std::sin(k)});
+      send("bee1", stamp,
+           {465 + 5 * std::sin(k), 466 - 4 * std::cos(k), 464 + 3 * std::cos(k),
+            465 - 5 * std::sin(k)});
       send("bee2", stamp, {430, 440 + 2 * std::sin(k), 430, 440});
       const Step::Response answer = step(45, stamp);
       ASSERT_TRUE(answer.success) << answer.message;
@@ -142,9 +147,11 @@ TEST_F(Surface, EveryTopicOfEachVehicle) {
   for (const std::string bee : {"bee1", "bee2"}) {
     SCOPED_TRACE(bee);
     const std::string sensor = "/" + bee + "/odometry_sensor1/";
-    Listener<nav_msgs::Odometry> odometry(sensor + "odometry"), truth("/" + bee + "/ground_truth/odometry");
+    Listener<nav_msgs::Odometry> odometry(sensor + "odometry"),
+        truth("/" + bee + "/ground_truth/odometry");
     Listener<geometry_msgs::Pose> pose(sensor + "pose");
-    Listener<geometry_msgs::PoseWithCovarianceStamped> with_covariance(sensor + "pose_with_covariance");
+    Listener<geometry_msgs::PoseWithCovarianceStamped> with_covariance(sensor +
+                                                                       "pose_with_covariance");
     Listener<geometry_msgs::PointStamped> position(sensor + "position");
     Listener<geometry_msgs::TransformStamped> transform(sensor + "transform");
     Listener<sensor_msgs::Imu> imu("/" + bee + "/imu"), true_imu("/" + bee + "/ground_truth/imu");
@@ -156,13 +163,15 @@ TEST_F(Surface, EveryTopicOfEachVehicle) {
     ASSERT_TRUE(eventually([&] {
       step(10);
       ros::spinOnce();
-      return odometry.last && truth.last && pose.last && with_covariance.last && position.last && transform.last && imu.last &&
-             true_imu.last && joints.last && wind.last && relay.last && models.last;
+      return odometry.last && truth.last && pose.last && with_covariance.last && position.last &&
+             transform.last && imu.last && true_imu.last && joints.last && wind.last &&
+             relay.last && models.last;
     }));
     const ros::Time now = step(10).odometry.header.stamp;
     ASSERT_TRUE(eventually([&] {
-      return odometry.last->header.stamp == now && position.last->header.stamp == now && imu.last->header.stamp == now &&
-             transform.last->header.stamp == now && joints.last->header.stamp == now && true_imu.last->header.stamp == now;
+      return odometry.last->header.stamp == now && position.last->header.stamp == now &&
+             imu.last->header.stamp == now && transform.last->header.stamp == now &&
+             joints.last->header.stamp == now && true_imu.last->header.stamp == now;
     }));
     EXPECT_EQ(odometry.last->child_frame_id, bee + "/odometry_sensor1");
     EXPECT_EQ(truth.last->child_frame_id, bee + "/base_link");
@@ -179,7 +188,8 @@ TEST_F(Surface, EveryTopicOfEachVehicle) {
     EXPECT_NE(imu.last->linear_acceleration.z, true_imu.last->linear_acceleration.z);
     EXPECT_NEAR(true_imu.last->linear_acceleration.z, 9.8, 1e-6);
     EXPECT_EQ(joints.last->name.size(), 4U);
-    EXPECT_LT(joints.last->position.at(0) * joints.last->position.at(1), 0) << "neighbours turn opposite ways";
+    EXPECT_LT(joints.last->position.at(0) * joints.last->position.at(1), 0)
+        << "neighbours turn opposite ways";
     EXPECT_EQ(wind.last->velocity.x, 0);
     EXPECT_EQ(relay.last->angular_velocities.size(), 4U);
     EXPECT_EQ(models.last->name, (std::vector<std::string>{"bee1", "bee2"}));
@@ -189,7 +199,8 @@ TEST_F(Surface, EveryTopicOfEachVehicle) {
 
 TEST_F(Surface, VehiclesFlyEachOnItsOwnCommands) {
   fly(0, 20);
-  const double higher = modelState("bee1").pose.position.z - 5, lower = modelState("bee2").pose.position.z - 6;
+  const double higher = modelState("bee1").pose.position.z - 5,
+               lower = modelState("bee2").pose.position.z - 6;
   EXPECT_GT(higher, 0.05);
   EXPECT_LT(lower, -0.05);
 }
@@ -229,7 +240,8 @@ TEST_F(Surface, SavedStateContinuesBitForBitHereAndElsewhere) {
   };
   twin.restore(quad_sim::savedStateFromText(firstVehicle(saved)));
   for (int k = 10; k < 20; ++k) {
-    twin.setCommand({465 + 5 * std::sin(k), 466 - 4 * std::cos(k), 464 + 3 * std::cos(k), 465 - 5 * std::sin(k)});
+    twin.setCommand({465 + 5 * std::sin(k), 466 - 4 * std::cos(k), 464 + 3 * std::cos(k),
+                     465 - 5 * std::sin(k)});
     twin.advance(45);
   }
   EXPECT_EQ(quad_sim::toText(twin.save()), firstVehicle(after));
@@ -267,7 +279,8 @@ TEST_F(Surface, PhysicsPropertiesAreSetAndGot) {
   EXPECT_EQ(get.response.gravity.z, -3);
   EXPECT_NEAR(get.response.max_update_rate, 1000, 1e-9);
   EXPECT_EQ(step(50).stamp, ros::Time(0, 100000000));
-  EXPECT_NEAR(modelState("bee1").twist.linear.z, 6.8 * 0.1, 1e-6) << "hovering for 9.8 m/s², with 3";
+  EXPECT_NEAR(modelState("bee1").twist.linear.z, 6.8 * 0.1, 1e-6)
+      << "hovering for 9.8 m/s², with 3";
   const auto refused = [&](double time_step, double rate, double gx, double gz) {
     set.request.time_step = time_step;
     set.request.max_update_rate = rate;
@@ -277,7 +290,8 @@ TEST_F(Surface, PhysicsPropertiesAreSetAndGot) {
     EXPECT_FALSE(set.response.success);
     return set.response.status_message;
   };
-  EXPECT_NE(refused(0.001, -1, 0, -9.8).find("max_update_rate = -1 Hz; must be >= 0"), std::string::npos);
+  EXPECT_NE(refused(0.001, -1, 0, -9.8).find("max_update_rate = -1 Hz; must be >= 0"),
+            std::string::npos);
   EXPECT_NE(refused(0.001, 1000, 1, -9.8).find("must be (0, 0, <= 0)"), std::string::npos);
   EXPECT_NE(refused(0.003, 1000, 0, -9.8).find("must be a whole number of it"), std::string::npos);
   EXPECT_NE(refused(std::nan(""), 1000, 0, -9.8).find("simulation.step"), std::string::npos);
@@ -313,7 +327,8 @@ TEST_F(Surface, CommandsThatAreNotFlownAsTheyCameAreCounted) {
   EXPECT_EQ(tally.not_finite, 1U);
   EXPECT_EQ(tally.negative, 1U);
   EXPECT_EQ(tally.over_limit, 1U);
-  EXPECT_NE(tally.last_problem.find("above the rotor's maximum"), std::string::npos) << tally.last_problem;
+  EXPECT_NE(tally.last_problem.find("above the rotor's maximum"), std::string::npos)
+      << tally.last_problem;
   const auto speeds = step(500).motor_speed.angular_velocities;  // the latest usable command
   EXPECT_NEAR(speeds.at(3), 838, 1e-3);
   EXPECT_NEAR(speeds.at(1), 458, 1e-3);
@@ -347,13 +362,16 @@ TEST_F(Surface, AVehicleIsSeenAndSetRelativeToAnother) {
   set.request.model_state.pose.position.x = std::nan("");
   ASSERT_TRUE(ros::service::call("/gazebo/set_model_state", set));
   EXPECT_FALSE(set.response.success);
-  EXPECT_NE(modelState("wasp").status_message.find("no model 'wasp'; in the world there is 'bee1', 'bee2'"), std::string::npos);
+  EXPECT_NE(modelState("wasp").status_message.find(
+                "no model 'wasp'; in the world there is 'bee1', 'bee2'"),
+            std::string::npos);
 }
 
 TEST_F(Surface, ModelStateAndWindComeByTopicToo) {
   const ros::Publisher models = n_.advertise<gazebo_msgs::ModelState>("/gazebo/set_model_state", 1);
   const ros::Publisher winds = n_.advertise<rotors_comm::WindSpeed>("/bee2/wind_speed", 1);
-  ASSERT_TRUE(eventually([&] { return models.getNumSubscribers() > 0 && winds.getNumSubscribers() > 0; }));
+  ASSERT_TRUE(
+      eventually([&] { return models.getNumSubscribers() > 0 && winds.getNumSubscribers() > 0; }));
   gazebo_msgs::ModelState state;
   state.model_name = "bee1";
   state.pose.position.z = 9;

@@ -1,4 +1,5 @@
-// A controller that knows only RotorS flies with our node: hover and a waypoint, paced in simulated time and in lock-step.
+// A controller that knows only RotorS flies with our node: hover and a waypoint, paced in simulated
+// time and in lock-step.
 #include <gazebo_msgs/GetModelState.h>
 #include <gtest/gtest.h>
 #include <mav_msgs/Actuators.h>
@@ -40,13 +41,19 @@ double yawOf(const nav_msgs::Odometry& o) {
 class RotorsController : public testing::Test {
  protected:
   void SetUp() override {
-    goal_ = n_.advertise<trajectory_msgs::MultiDOFJointTrajectory>("/hummingbird/command/trajectory", 1);
-    odometry_ = n_.subscribe("/hummingbird/odometry_sensor1/odometry", 100, &RotorsController::onOdometry, this);
-    motors_ = n_.subscribe("/hummingbird/command/motor_speed", 1, &RotorsController::onMotors, this);
+    goal_ = n_.advertise<trajectory_msgs::MultiDOFJointTrajectory>(
+        "/hummingbird/command/trajectory", 1);
+    odometry_ = n_.subscribe("/hummingbird/odometry_sensor1/odometry", 100,
+                             &RotorsController::onOdometry, this);
+    motors_ =
+        n_.subscribe("/hummingbird/command/motor_speed", 1, &RotorsController::onMotors, this);
     ASSERT_TRUE(ros::service::waitForService("/gazebo/step", ros::Duration(-1)));
-    ASSERT_TRUE(eventually([&] {
-      return goal_.getNumSubscribers() > 0 && odometry_.getNumPublishers() > 0 && motors_.getNumPublishers() > 0;
-    }, 20));
+    ASSERT_TRUE(eventually(
+        [&] {
+          return goal_.getNumSubscribers() > 0 && odometry_.getNumPublishers() > 0 &&
+                 motors_.getNumPublishers() > 0;
+        },
+        20));
     call("/gazebo/pause_physics");
     call("/gazebo/reset_simulation");
     seen_.clear();
@@ -73,7 +80,8 @@ class RotorsController : public testing::Test {
     if (seen_.empty()) return false;
     const auto& p = seen_.back().pose.pose.position;
     const auto& v = seen_.back().twist.twist.linear;
-    return std::hypot(p.x - x, p.y - y, p.z - z) < within && std::abs(std::remainder(yawOf(seen_.back()) - yaw, 2 * M_PI)) < within &&
+    return std::hypot(p.x - x, p.y - y, p.z - z) < within &&
+           std::abs(std::remainder(yawOf(seen_.back()) - yaw, 2 * M_PI)) < within &&
            std::hypot(v.x, v.y, v.z) < within;
   }
   /// Lock-step: 10 ms an interval, each after the command that answers the last odometry.
@@ -106,9 +114,11 @@ TEST_F(RotorsController, FliesHoverAndWaypointPacedInSimulatedTime) {
   goTo(0, 0, 1, 0);
   EXPECT_TRUE(eventually([&] { return isAt(0, 0, 1 + kSag, 0, 0.03); }, 40)) << "does not hover";
   goTo(1, 0.5, 1.5, M_PI_2);
-  EXPECT_TRUE(eventually([&] { return isAt(1, 0.5, 1.5 + kSag, M_PI_2, 0.03); }, 60)) << "does not reach the waypoint";
+  EXPECT_TRUE(eventually([&] { return isAt(1, 0.5, 1.5 + kSag, M_PI_2, 0.03); }, 60))
+      << "does not reach the waypoint";
   call("/gazebo/pause_physics");
-  // The contract of the topic: body-frame twist in the sensor's frame, one message every 10 ms of simulated time.
+  // The contract of the topic: body-frame twist in the sensor's frame, one message every 10 ms of
+  // simulated time.
   ASSERT_GT(seen_.size(), 100U);
   EXPECT_EQ(seen_.back().header.frame_id, "world");
   EXPECT_EQ(seen_.back().child_frame_id, "hummingbird/odometry_sensor1");
@@ -116,12 +126,14 @@ TEST_F(RotorsController, FliesHoverAndWaypointPacedInSimulatedTime) {
   for (std::size_t i = 2; i + 1 < seen_.size(); ++i) {
     regular += (seen_[i].header.stamp - seen_[i - 1].header.stamp).toNSec() == 10000000 ? 1 : 0;
   }
-  EXPECT_GT(regular, 0.9 * static_cast<double>(seen_.size())) << "a busy listener may lose some, no more";
+  EXPECT_GT(regular, 0.9 * static_cast<double>(seen_.size()))
+      << "a busy listener may lose some, no more";
 }
 
 TEST_F(RotorsController, FliesTheSameInLockstep) {
   goTo(0, 0, 1, 0);
-  Step first;  // until the controller, too, has heard: its answer to the first odometry is no longer zero
+  Step first;  // until the controller, too, has heard: its answer to the first odometry is no
+               // longer zero
   ASSERT_TRUE(ros::service::call("/gazebo/step", first));
   stamp_ = first.response.odometry.header.stamp;
   Step::Response now = lockstep(25);

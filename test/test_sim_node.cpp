@@ -1,4 +1,5 @@
-// The simulator node over ROS: each topic and service, lock-step by stamp, and the same bits as the library.
+// The simulator node over ROS: each topic and service, lock-step by stamp, and the same bits as the
+// library.
 #include <gazebo_msgs/GetModelState.h>
 #include <gazebo_msgs/GetPhysicsProperties.h>
 #include <gazebo_msgs/GetWorldProperties.h>
@@ -19,8 +20,8 @@
 #include <memory>
 #include <thread>
 
-#include "quad_sim_ros/conversions.hpp"
 #include "quad_sim/simulation_config.hpp"
+#include "quad_sim_ros/conversions.hpp"
 
 namespace {
 
@@ -31,9 +32,10 @@ template <class Message>
 typename Message::ConstPtr next(const std::string& topic) {
   typename Message::ConstPtr got;
   ros::NodeHandle n;
-  const boost::function<void(const typename Message::ConstPtr&)> take = [&](const typename Message::ConstPtr& m) {
-    if (!got) got = m;
-  };
+  const boost::function<void(const typename Message::ConstPtr&)> take =
+      [&](const typename Message::ConstPtr& m) {
+        if (!got) got = m;
+      };
   const ros::Subscriber subscriber = n.subscribe<Message>(topic, 1, take);
   const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(5);
   while (!got && ros::ok() && std::chrono::steady_clock::now() < limit) {
@@ -44,7 +46,8 @@ typename Message::ConstPtr next(const std::string& topic) {
 }
 
 bool same(const nav_msgs::Odometry& a, const nav_msgs::Odometry& b) {
-  return a.header.stamp == b.header.stamp && std::memcmp(&a.pose.pose, &b.pose.pose, sizeof(a.pose.pose)) == 0 &&
+  return a.header.stamp == b.header.stamp &&
+         std::memcmp(&a.pose.pose, &b.pose.pose, sizeof(a.pose.pose)) == 0 &&
          std::memcmp(&a.twist.twist, &b.twist.twist, sizeof(a.twist.twist)) == 0;
 }
 
@@ -71,7 +74,8 @@ class SimNode : public testing::Test {
     message.angular_velocities = speeds;
     command_.publish(message);
   }
-  Step::Response step(std::uint32_t steps, std::uint32_t hold = 0, ros::Time stamp = ros::Time(), double timeout = 5) {
+  Step::Response step(std::uint32_t steps, std::uint32_t hold = 0, ros::Time stamp = ros::Time(),
+                      double timeout = 5) {
     Step s;
     s.request.steps = steps;
     s.request.hold_steps = hold;
@@ -92,7 +96,8 @@ class SimNode : public testing::Test {
     return log;
   }
   static std::vector<double> speedsOf(int k) {
-    return {465 + 5 * std::sin(k), 466 - 4 * std::cos(k), 464 + 3 * std::cos(k), 465 - 5 * std::sin(k)};
+    return {465 + 5 * std::sin(k), 466 - 4 * std::cos(k), 464 + 3 * std::cos(k),
+            465 - 5 * std::sin(k)};
   }
   /// The library at the node's start.
   static quad_sim::Simulator twin() {
@@ -166,13 +171,15 @@ TEST_F(SimNode, StepWaitsForTheCommandOfItsStamp) {
 TEST_F(SimNode, NoCommandIsATimeoutThatNamesTheStamp) {
   const Step::Response answer = step(100, 0, ros::Time(3, 50), 0.2);
   EXPECT_FALSE(answer.success);
-  EXPECT_NE(answer.message.find("no command stamped 3.000000050 s"), std::string::npos) << answer.message;
+  EXPECT_NE(answer.message.find("no command stamped 3.000000050 s"), std::string::npos)
+      << answer.message;
   EXPECT_EQ(answer.stamp, ros::Time(0, 0)) << "nothing may have run";
 }
 
 TEST_F(SimNode, WithoutAStampTheLatestCommandIsTaken) {
   send(ros::Time(9, 0), {700, 700, 700, 700});
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it travels on a connection of its own
+  std::this_thread::sleep_for(
+      std::chrono::milliseconds(200));  // it travels on a connection of its own
   const Step::Response answer = step(200);
   EXPECT_TRUE(answer.success);
   EXPECT_GT(answer.motor_speed.angular_velocities.at(1), 699);
@@ -191,7 +198,8 @@ TEST_F(SimNode, ACommandOfWrongLengthOrNotANumberIsRefused) {
   send(stamp, {1, 2, 3});
   const Step::Response short_one = step(100, 0, stamp);
   EXPECT_FALSE(short_one.success);
-  EXPECT_NE(short_one.message.find("3 rotor speeds; the vehicle has 4"), std::string::npos) << short_one.message;
+  EXPECT_NE(short_one.message.find("3 rotor speeds; the vehicle has 4"), std::string::npos)
+      << short_one.message;
   send(ros::Time(0, 2), {1, 2, 3, std::nan("")});
   const Step::Response nan_one = step(100, 0, ros::Time(0, 2));
   EXPECT_FALSE(nan_one.success);
@@ -202,7 +210,8 @@ TEST_F(SimNode, ACommandOfWrongLengthOrNotANumberIsRefused) {
 
 TEST_F(SimNode, TopicsCarryTheStateOfTheStep) {
   const nav_msgs::Odometry last = fly(2).back();
-  const auto odometry = next<nav_msgs::Odometry>("/hummingbird/odometry_sensor1/odometry");  // latched
+  const auto odometry =
+      next<nav_msgs::Odometry>("/hummingbird/odometry_sensor1/odometry");  // latched
   ASSERT_TRUE(odometry);
   EXPECT_TRUE(same(*odometry, last));
   const auto motors = next<mav_msgs::Actuators>("/hummingbird/motor_speed");
@@ -242,7 +251,8 @@ TEST_F(SimNode, RunsByTheWallClockUntilPaused) {
   EXPECT_LT(world.response.sim_time, 5.0);
   const auto odometry = next<nav_msgs::Odometry>("/hummingbird/odometry_sensor1/odometry");
   ASSERT_TRUE(odometry);
-  EXPECT_NEAR(odometry->header.stamp.toSec(), world.response.sim_time, 1e-9) << "the state it stopped in is published";
+  EXPECT_NEAR(odometry->header.stamp.toSec(), world.response.sim_time, 1e-9)
+      << "the state it stopped in is published";
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_EQ(step(0).odometry.header.stamp, odometry->header.stamp) << "paused means paused";
 }
@@ -252,7 +262,8 @@ TEST_F(SimNode, ModelStateIsSetAndGot) {
   set.request.model_state.model_name = "hummingbird";
   set.request.model_state.pose.position.x = 1;
   set.request.model_state.pose.position.z = 7;
-  set.request.model_state.pose.orientation.w = set.request.model_state.pose.orientation.z = std::sqrt(0.5);
+  set.request.model_state.pose.orientation.w = set.request.model_state.pose.orientation.z =
+      std::sqrt(0.5);
   set.request.model_state.twist.linear.x = 2;
   set.request.model_state.twist.angular.z = 0.5;
   ASSERT_TRUE(ros::service::call("/gazebo/set_model_state", set));
@@ -265,7 +276,8 @@ TEST_F(SimNode, ModelStateIsSetAndGot) {
   EXPECT_NEAR(get.response.pose.position.z, 7, 1e-12);
   EXPECT_NEAR(get.response.twist.linear.x, 2, 1e-12);
   EXPECT_NEAR(get.response.twist.angular.z, 0.5, 1e-12);
-  EXPECT_NEAR(step(0).odometry.twist.twist.linear.y, -2, 1e-12) << "the odometry's twist is in body axes";
+  EXPECT_NEAR(step(0).odometry.twist.twist.linear.y, -2, 1e-12)
+      << "the odometry's twist is in body axes";
   get.request.model_name = set.request.model_state.model_name = "nobody";
   ASSERT_TRUE(ros::service::call("/gazebo/get_model_state", get));
   EXPECT_FALSE(get.response.success);

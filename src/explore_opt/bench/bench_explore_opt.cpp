@@ -2,12 +2,11 @@
 /// `benchmarks`.
 #include <benchmark/benchmark.h>
 
+#include "../test/thesis_problem.hpp"
 #include "explore_opt/altitude_model.hpp"
 #include "explore_opt/exploration_design.hpp"
 #include "explore_opt/least_squares.hpp"
 #include "explore_opt/set_membership.hpp"
-
-#include "../test/thesis_problem.hpp"
 
 using namespace explore_opt;
 using explore_opt::testing::thesisProblem;

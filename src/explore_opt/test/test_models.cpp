@@ -26,7 +26,8 @@ Eigen::MatrixXd joined(const LinearSystem& s) {
 }  // namespace
 
 TEST(AltitudeModel, IsTheExactSolutionOfTheContinuousModel) {
-  // Eq. (2.1), d/dt [z; ż; U; 1] = G [z; ż; U; 1]; G³ = 0, so exp(G dT) is a polynomial of degree 2.
+  // Eq. (2.1), d/dt [z; ż; U; 1] = G [z; ż; U; 1]; G³ = 0, so exp(G dT) is a polynomial of
+  // degree 2.
   const double mass = 0.73, dT = 0.1, gravity = 9.8;
   Eigen::Matrix4d G = Eigen::Matrix4d::Zero();
   G(0, 1) = 1.0;

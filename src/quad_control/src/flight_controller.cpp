@@ -27,10 +27,12 @@ void check(const FlightPlan& plan, double max_thrust) {
     if (!ok) throw ConfigError(fmt::format("flight plan: {} = {}; must be {}", what, value, limit));
   };
   const References& r = plan.references;
-  for (const double value : {r.x, r.y, r.z, r.yaw}) require(std::isfinite(value), "a reference", value, "finite");
+  for (const double value : {r.x, r.y, r.z, r.yaw})
+    require(std::isfinite(value), "a reference", value, "finite");
   require(plan.feed_forward_mass > 0.0, "feed_forward_mass", plan.feed_forward_mass, "> 0 kg");
   require(plan.gravity > 0.0, "gravity", plan.gravity, "> 0 m/s^2");
-  require(std::isfinite(plan.initial_altitude_effort), "initial_altitude_effort", plan.initial_altitude_effort, "finite");
+  require(std::isfinite(plan.initial_altitude_effort), "initial_altitude_effort",
+          plan.initial_altitude_effort, "finite");
   const double feed_forward = plan.feed_forward_mass * plan.gravity;
   require(feed_forward < max_thrust, "feed_forward_mass * gravity", feed_forward,
           fmt::format("below the rotors' {:.4g} N", max_thrust));
@@ -61,7 +63,8 @@ double wrapAngle(double angle) {
   return wrapped <= -kPi ? kPi : wrapped;
 }
 
-TiltReference positionLoop(const References& references, const quad_sim::Odometry& odometry, double gravity) {
+TiltReference positionLoop(const References& references, const quad_sim::Odometry& odometry,
+                           double gravity) {
   constexpr double kBandwidth = 0.3, kMaxTilt = 0.15;  // [rad/s], [rad]
   const Eigen::Vector3d v_WB = odometry.q_WB.normalized() * odometry.v_WB_B;
   const double ax = kBandwidth * (kBandwidth * (references.x - odometry.p_WB.x()) - 2.0 * v_WB.x());
@@ -69,7 +72,8 @@ TiltReference positionLoop(const References& references, const quad_sim::Odometr
   const double yaw = rollPitchYaw(odometry.q_WB).z();
   const double ahead = ax * std::cos(yaw) + ay * std::sin(yaw);
   const double left = ay * std::cos(yaw) - ax * std::sin(yaw);
-  return {std::clamp(-left / gravity, -kMaxTilt, kMaxTilt), std::clamp(ahead / gravity, -kMaxTilt, kMaxTilt)};
+  return {std::clamp(-left / gravity, -kMaxTilt, kMaxTilt),
+          std::clamp(ahead / gravity, -kMaxTilt, kMaxTilt)};
 }
 
 std::vector<RotorGeometry> rotorGeometry(const quad_sim::VehicleModel& vehicle) {
@@ -85,20 +89,23 @@ double equilibriumEffort(double flown_mass, double feed_forward_mass, double gra
   return (flown_mass - feed_forward_mass) * gravity;
 }
 
-FlightController::FlightController(const std::vector<RotorGeometry>& rotors, const ControlConfig& config)
+FlightController::FlightController(const std::vector<RotorGeometry>& rotors,
+                                   const ControlConfig& config)
     : mixer_(rotors), config_(config) {}
 
-FlightController::FlightController(const quad_sim::VehicleModel& vehicle, const ControlConfig& config)
+FlightController::FlightController(const quad_sim::VehicleModel& vehicle,
+                                   const ControlConfig& config)
     : FlightController(rotorGeometry(vehicle), config) {}
 
 void FlightController::begin(const FlightPlan& plan) {
   check(plan, mixer_.maxThrust());
   const double feed_forward = plan.feed_forward_mass * plan.gravity;
   const double period = config_.sampling_period;
-  Loops loops{PiController(config_.roll_pitch, period, torqueLimits(mixer_, feed_forward, 1)),
-              PiController(config_.roll_pitch, period, torqueLimits(mixer_, feed_forward, 2)),
-              PiController(config_.yaw, period, torqueLimits(mixer_, feed_forward, 3)),
-              PiController(config_.altitude, period, {-feed_forward, mixer_.maxThrust() - feed_forward})};
+  Loops loops{
+      PiController(config_.roll_pitch, period, torqueLimits(mixer_, feed_forward, 1)),
+      PiController(config_.roll_pitch, period, torqueLimits(mixer_, feed_forward, 2)),
+      PiController(config_.yaw, period, torqueLimits(mixer_, feed_forward, 3)),
+      PiController(config_.altitude, period, {-feed_forward, mixer_.maxThrust() - feed_forward})};
   loops.altitude.reset(plan.initial_altitude_effort);  // the one thing below that can throw
   plan_ = plan;
   loops_ = loops;
@@ -151,7 +158,8 @@ const ControlOutput& FlightController::update(const quad_sim::Odometry& odometry
   out.t_eff = effectiveThrust(odometry, out);
   out.thrust = out.t_eff + feed_forward_;
   TiltReference tilt;
-  if (config_.position_loop && !out.exploring) tilt = positionLoop(plan_->references, odometry, plan_->gravity);
+  if (config_.position_loop && !out.exploring)
+    tilt = positionLoop(plan_->references, odometry, plan_->gravity);
   out.tau_phi = loops_->roll.update(tilt.roll - angles.x(), -rates.x());
   out.tau_theta = loops_->pitch.update(tilt.pitch - angles.y(), -rates.y());
   out.tau_psi = loops_->yaw.update(wrapAngle(plan_->references.yaw - angles.z()), -rates.z());
@@ -163,7 +171,8 @@ const ControlOutput& FlightController::update(const quad_sim::Odometry& odometry
 
 const ControlOutput& FlightController::append(ControlOutput&& out) {
   if (after_signal_ > kKeptAnswers) return record_.back() = std::move(out);
-  if (plan_->exploration_signal.empty() && record_.size() + 1 == 2 * kKeptAnswers) {  // seldom, so it costs next to nothing
+  if (plan_->exploration_signal.empty() &&
+      record_.size() + 1 == 2 * kKeptAnswers) {  // seldom, so it costs next to nothing
     record_.erase(record_.begin(), record_.begin() + static_cast<std::ptrdiff_t>(kKeptAnswers));
   }
   record_.push_back(std::move(out));

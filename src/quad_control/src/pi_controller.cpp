@@ -12,16 +12,20 @@ namespace quad_control {
 
 PiController::PiController(const PiGains& gains, double sampling_period, const OutputLimits& limits)
     : gains_(gains), sampling_period_(sampling_period), limits_(limits) {
-  for (const double gain : {gains.position, gains.position_integral, gains.velocity, gains.velocity_integral}) {
+  for (const double gain :
+       {gains.position, gains.position_integral, gains.velocity, gains.velocity_integral}) {
     if (!(gain >= 0.0 && std::isfinite(gain))) {
-      throw std::invalid_argument(fmt::format("PI controller: gain = {}; must be finite and >= 0", gain));
+      throw std::invalid_argument(
+          fmt::format("PI controller: gain = {}; must be finite and >= 0", gain));
     }
   }
   if (!(sampling_period > 0.0 && std::isfinite(sampling_period))) {
-    throw std::invalid_argument(fmt::format("PI controller: sampling period = {} s; must be > 0 s", sampling_period));
+    throw std::invalid_argument(
+        fmt::format("PI controller: sampling period = {} s; must be > 0 s", sampling_period));
   }
   if (!(limits.min <= limits.max)) {
-    throw std::invalid_argument(fmt::format("PI controller: output limits [{}, {}] are empty", limits.min, limits.max));
+    throw std::invalid_argument(
+        fmt::format("PI controller: output limits [{}, {}] are empty", limits.min, limits.max));
   }
 }
 
@@ -35,8 +39,10 @@ void PiController::reset(double initial_effort) {
   } else if (gains_.velocity_integral > 0.0) {
     velocity_sum_ = initial_effort / gains_.velocity_integral;
   } else {
-    throw quad_support::ConfigError(fmt::format(
-        "control: an integral that starts at {} N needs an integral gain; K_I^p and K_I^v are both 0", initial_effort));
+    throw quad_support::ConfigError(
+        fmt::format("control: an integral that starts at {} N needs an integral gain; K_I^p and "
+                    "K_I^v are both 0",
+                    initial_effort));
   }
 }
 

@@ -37,7 +37,9 @@ void check(const LinearPlant& plant) {
   for (const auto* rows : {&plant.position, &plant.velocity}) {
     for (const int row : *rows) fits = fits && row >= 0 && row < n;
   }
-  if (!fits) throw std::invalid_argument("sampled loop: the shapes of A, B and the measured rows do not fit together");
+  if (!fits)
+    throw std::invalid_argument(
+        "sampled loop: the shapes of A, B and the measured rows do not fit together");
 }
 
 // Position and velocity rows of loop i: u_i = −(proportional · x) − w_i, w_i += integral · x.
@@ -54,7 +56,9 @@ LoopRows loopRows(const LinearPlant& plant, const PiGains& gains, double period,
   return rows;
 }
 
-bool integrates(const PiGains& gains) { return gains.position_integral > 0.0 || gains.velocity_integral > 0.0; }
+bool integrates(const PiGains& gains) {
+  return gains.position_integral > 0.0 || gains.velocity_integral > 0.0;
+}
 
 PiGains scaled(const PiGains& gains, double factor) {
   return {gains.position * factor, gains.position_integral * factor, gains.velocity * factor,
@@ -64,7 +68,8 @@ PiGains scaled(const PiGains& gains, double factor) {
 // The loop's gain L(z) seen at input `loop`, the other loops closed.
 class OpenLoop {
  public:
-  OpenLoop(const LinearPlant& plant, const SampledPlant& sampled, const std::vector<PiGains>& gains, int loop)
+  OpenLoop(const LinearPlant& plant, const SampledPlant& sampled, const std::vector<PiGains>& gains,
+           int loop)
       : plant_(plant), sampled_(sampled), gains_(gains), loop_(loop) {}
 
   std::complex<double> operator()(double frequency) const {
@@ -72,10 +77,11 @@ class OpenLoop {
     const Eigen::Index n = plant_.A.rows();
     const auto loops = static_cast<Eigen::Index>(gains_.size());
     // P(z) from u to x, then C(z) from x to −u: L_i = [C P (I + C' P)⁻¹]_ii with C' lacking row i.
-    const Eigen::MatrixXcd P = (z * MatrixXd::Identity(n, n) - sampled_.A.cast<std::complex<double>>())
-                                   .partialPivLu()
-                                   .solve(sampled_.B_old.cast<std::complex<double>>() / z + sampled_.B_new) *
-                               std::pow(z, -sampled_.whole_periods);
+    const Eigen::MatrixXcd P =
+        (z * MatrixXd::Identity(n, n) - sampled_.A.cast<std::complex<double>>())
+            .partialPivLu()
+            .solve(sampled_.B_old.cast<std::complex<double>>() / z + sampled_.B_new) *
+        std::pow(z, -sampled_.whole_periods);
     Eigen::MatrixXcd C(loops, n);
     for (Eigen::Index i = 0; i < loops; ++i) {
       const auto index = static_cast<std::size_t>(i);
@@ -105,10 +111,11 @@ double edge(double inside, double outside, const Stable& stable) {
   return inside;
 }
 
-// Largest (or smallest) factor on the loop's gains, between 1 and `limit`, that keeps it stable. Walks out 2 % at a time
-// to the first loss of stability, so that an unstable gap is not stepped over.
-double gainMargin(const LinearPlant& plant, const SampledPlant& sampled, std::vector<PiGains> gains, int loop,
-                  double limit) {
+// Largest (or smallest) factor on the loop's gains, between 1 and `limit`, that keeps it stable.
+// Walks out 2 % at a time to the first loss of stability, so that an unstable gap is not stepped
+// over.
+double gainMargin(const LinearPlant& plant, const SampledPlant& sampled, std::vector<PiGains> gains,
+                  int loop, double limit) {
   const auto index = static_cast<std::size_t>(loop);
   const PiGains nominal = gains[index];
   const auto stable = [&](double factor) {
@@ -122,9 +129,11 @@ double gainMargin(const LinearPlant& plant, const SampledPlant& sampled, std::ve
   }
 }
 
-double delayMargin(const LinearPlant& plant, const SampledPlant& sampled, const std::vector<PiGains>& gains) {
+double delayMargin(const LinearPlant& plant, const SampledPlant& sampled,
+                   const std::vector<PiGains>& gains) {
   const auto stable = [&](double delay) {
-    return spectralRadius(closedLoop(plant, discretise(plant, sampled.period, sampled.latency + delay), gains)) < 1.0;
+    return spectralRadius(closedLoop(
+               plant, discretise(plant, sampled.period, sampled.latency + delay), gains)) < 1.0;
   };
   const double limit = 4.0 * sampled.period, stride = 0.05 * sampled.period;
   for (double delay = 0.0; delay < limit; delay += stride) {
@@ -138,8 +147,8 @@ double delayMargin(const LinearPlant& plant, const SampledPlant& sampled, const 
 SampledPlant discretise(const LinearPlant& plant, double period, double latency) {
   check(plant);
   if (!(period > 0.0 && latency >= 0.0 && std::isfinite(period) && std::isfinite(latency))) {
-    throw std::invalid_argument(
-        fmt::format("sampled loop: period = {} s, latency = {} s; must be > 0 s and >= 0 s", period, latency));
+    throw std::invalid_argument(fmt::format(
+        "sampled loop: period = {} s, latency = {} s; must be > 0 s and >= 0 s", period, latency));
   }
   const double whole = std::floor(latency / period);
   const double rest = std::clamp(latency - whole * period, 0.0, period);
@@ -148,10 +157,12 @@ SampledPlant discretise(const LinearPlant& plant, double period, double latency)
   return {A_new * A_old, A_new * B_old, B_new, period, latency, static_cast<int>(whole)};
 }
 
-Eigen::MatrixXd closedLoop(const LinearPlant& plant, const SampledPlant& sampled, const std::vector<PiGains>& gains) {
+Eigen::MatrixXd closedLoop(const LinearPlant& plant, const SampledPlant& sampled,
+                           const std::vector<PiGains>& gains) {
   check(plant);
   const auto loops = static_cast<Eigen::Index>(gains.size());
-  if (loops != plant.B.cols()) throw std::invalid_argument("sampled loop: one set of gains a loop is needed");
+  if (loops != plant.B.cols())
+    throw std::invalid_argument("sampled loop: one set of gains a loop is needed");
   const Eigen::Index n = plant.A.rows();
   const Eigen::Index sums = std::count_if(gains.begin(), gains.end(), integrates);
   const Eigen::Index size = n + sums + loops * (sampled.whole_periods + 1);
@@ -175,17 +186,22 @@ Eigen::MatrixXd closedLoop(const LinearPlant& plant, const SampledPlant& sampled
   } else {
     closed.block(0, size - 2 * loops, n, loops) += sampled.B_new;
   }
-  closed.middleRows(n + sums, loops) = command;  // the newest of the inputs kept; the others move one place on
+  closed.middleRows(n + sums, loops) =
+      command;  // the newest of the inputs kept; the others move one place on
   for (Eigen::Index row = n + sums + loops; row < size; ++row) closed(row, row - loops) = 1.0;
   return closed;
 }
 
-double spectralRadius(const Eigen::MatrixXd& matrix) { return matrix.eigenvalues().cwiseAbs().maxCoeff(); }
+double spectralRadius(const Eigen::MatrixXd& matrix) {
+  return matrix.eigenvalues().cwiseAbs().maxCoeff();
+}
 
-LoopMargins margins(const LinearPlant& plant, const SampledPlant& sampled, const std::vector<PiGains>& gains, int loop) {
+LoopMargins margins(const LinearPlant& plant, const SampledPlant& sampled,
+                    const std::vector<PiGains>& gains, int loop) {
   const double radius = spectralRadius(closedLoop(plant, sampled, gains));
   if (!(radius < 1.0)) {
-    throw std::invalid_argument(fmt::format("sampled loop: spectral radius {}: not stable, so no margins", radius));
+    throw std::invalid_argument(
+        fmt::format("sampled loop: spectral radius {}: not stable, so no margins", radius));
   }
   LoopMargins result;
   result.gain_up = gainMargin(plant, sampled, gains, loop, 50.0);
@@ -193,16 +209,19 @@ LoopMargins margins(const LinearPlant& plant, const SampledPlant& sampled, const
   result.phase_degrees = 180.0;
   result.delay_s = delayMargin(plant, sampled, gains);
   const OpenLoop open(plant, sampled, gains, loop);
-  // 4000 points a four decades: neighbours differ by 0.2 %, and the curves bend over tens of per cent.
+  // 4000 points a four decades: neighbours differ by 0.2 %, and the curves bend over tens of per
+  // cent.
   constexpr int kPoints = 4000;
   const double highest = kPi / sampled.period;
   std::complex<double> before = open(highest * 1e-4);
   for (int i = 1; i <= kPoints; ++i) {
-    const double frequency = highest * std::pow(10.0, 4.0 * (static_cast<double>(i) / kPoints - 1.0));
+    const double frequency =
+        highest * std::pow(10.0, 4.0 * (static_cast<double>(i) / kPoints - 1.0));
     const std::complex<double> value = open(frequency);
     result.sensitivity_peak = std::max(result.sensitivity_peak, 1.0 / std::abs(1.0 + value));
     if ((std::abs(before) - 1.0) * (std::abs(value) - 1.0) <= 0.0) {
-      result.phase_degrees = std::min(result.phase_degrees, std::abs(std::arg(-value)) * 180.0 / kPi);  // to −1
+      result.phase_degrees =
+          std::min(result.phase_degrees, std::abs(std::arg(-value)) * 180.0 / kPi);  // to −1
     }
     before = value;
   }
@@ -225,8 +244,9 @@ LinearPlant tiltPlant(const LoopVehicle& vehicle, double climb_rate, double roto
   A(3, 3) = -1.0 / lag;
   const Eigen::Vector4d B(0.0, 0.0, 0.0, 1.0 / lag);
   if (!rolling_moments_add) return {A, B, {1}, {2}};
-  // Pitch: v along x_B. Roll: the same equations with v along −y_B, so that tilt still accelerates along +v. The moment
-  // −c (s_x, s_y): about x_B it is −c s_pitch, and about y_B −c s_y = +c s_roll.
+  // Pitch: v along x_B. Roll: the same equations with v along −y_B, so that tilt still accelerates
+  // along +v. The moment −c (s_x, s_y): about x_B it is −c s_pitch, and about y_B −c s_y = +c
+  // s_roll.
   LinearPlant both{MatrixXd::Zero(8, 8), MatrixXd::Zero(8, 2), {1, 5}, {2, 6}};
   both.A.topLeftCorner(4, 4) = both.A.bottomRightCorner(4, 4) = A;
   both.A.block(2, 4, 1, 4) = rolling / vehicle.inertia_xx * slip;

@@ -10,7 +10,8 @@ namespace quad_control {
 
 ForgettingMean::ForgettingMean(double forgetting_factor) : forgetting_factor_(forgetting_factor) {
   if (!(forgetting_factor > 0.0 && forgetting_factor < 1.0)) {
-    throw std::invalid_argument(fmt::format("forgetting factor = {}; must lie in (0, 1)", forgetting_factor));
+    throw std::invalid_argument(
+        fmt::format("forgetting factor = {}; must lie in (0, 1)", forgetting_factor));
   }
 }
 

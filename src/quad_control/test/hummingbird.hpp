@@ -1,4 +1,5 @@
-/// The Hummingbird's figures (RotorS's hummingbird.xacro), written down apart from the URDF for tests of single units.
+/// The Hummingbird's figures (RotorS's hummingbird.xacro), written down apart from the URDF for
+/// tests of single units.
 #pragma once
 
 #include <vector>
@@ -8,15 +9,17 @@
 
 namespace quad_control::test {
 
-constexpr double kThrustCoefficient = 8.54858e-06, kMomentConstant = 0.016, kArm = 0.17, kMaxSpeed = 838.0;
+constexpr double kThrustCoefficient = 8.54858e-06, kMomentConstant = 0.016, kArm = 0.17,
+                 kMaxSpeed = 838.0;
 
 /// Motors front, left, back, right; front and back clockwise (RotorS's order).
 inline std::vector<RotorGeometry> hummingbirdRotors() {
-  const Eigen::Vector3d places[4] = {{kArm, 0, 0.01}, {0, kArm, 0.01}, {-kArm, 0, 0.01}, {0, -kArm, 0.01}};
+  const Eigen::Vector3d places[4] = {
+      {kArm, 0, 0.01}, {0, kArm, 0.01}, {-kArm, 0, 0.01}, {0, -kArm, 0.01}};
   std::vector<RotorGeometry> rotors;
   for (int i = 0; i < 4; ++i) {
-    rotors.push_back({places[i], Eigen::Vector3d::UnitZ(), i % 2 == 0 ? -1 : 1, kThrustCoefficient, kMomentConstant,
-                      kMaxSpeed});
+    rotors.push_back({places[i], Eigen::Vector3d::UnitZ(), i % 2 == 0 ? -1 : 1, kThrustCoefficient,
+                      kMomentConstant, kMaxSpeed});
   }
   return rotors;
 }

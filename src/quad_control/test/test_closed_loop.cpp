@@ -1,4 +1,5 @@
-// The controllers around the real plant, sampled at 10 Hz, with and without the simulated middleware's latency.
+// The controllers around the real plant, sampled at 10 Hz, with and without the simulated
+// middleware's latency.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,8 +55,8 @@ class Flight {
       const Eigen::Vector3d angles = rollPitchYaw(now.odometry.q_WB);
       const Eigen::Vector3d v = now.odometry.q_WB * now.odometry.v_WB_B;
       const Eigen::Vector3d up = now.odometry.q_WB * Eigen::Vector3d::UnitZ();
-      samples.push_back({1e-9 * static_cast<double>(now.odometry.time_ns), now.odometry.p_WB.z(), v.z(),
-                         std::acos(std::min(1.0, up.z())), angles.z(), now.odometry.p_WB.x(),
+      samples.push_back({1e-9 * static_cast<double>(now.odometry.time_ns), now.odometry.p_WB.z(),
+                         v.z(), std::acos(std::min(1.0, up.z())), angles.z(), now.odometry.p_WB.x(),
                          now.odometry.p_WB.y(), out.clamped});
       simulator_.advance(latency_);
       simulator_.setCommand(out.rotor_speed);
@@ -80,7 +81,8 @@ class Flight {
   int latency_;
 };
 
-double lastTimeOutside(const std::vector<Sample>& samples, double Sample::*value, double target, double band) {
+double lastTimeOutside(const std::vector<Sample>& samples, double Sample::*value, double target,
+                       double band) {
   double last = 0.0;
   for (const Sample& s : samples) {
     if (std::abs(s.*value - target) > band) last = s.time;
@@ -95,7 +97,8 @@ TEST_P(ClosedLoop, TheModelsOfTheGainsAreTheVehicles) {
   // The figures the gains were derived from, against the vehicle as loaded.
   const quad_sim::VehicleModel model = Flight(GetParam()).model();
   EXPECT_NEAR(model.mass, 0.73, 1e-12);
-  EXPECT_NEAR(model.inertia_B(0, 0), 0.0077, 0.0002);  // 0.00756 with physical rotors, 0.0077 with slowed-down ones
+  EXPECT_NEAR(model.inertia_B(0, 0), 0.0077,
+              0.0002);  // 0.00756 with physical rotors, 0.0077 with slowed-down ones
   EXPECT_NEAR(model.inertia_B(2, 2), 0.0131, 0.0001);
 }
 
@@ -103,7 +106,8 @@ TEST_P(ClosedLoop, HoldsStillForSixSeconds) {
   Flight flight(GetParam());
   const std::vector<Sample> samples = flight.fly(flight.start(), 60);
   for (const Sample& s : samples) {
-    // Design: |ż| < 0.01 m/s at the end of the hold. It begins in equilibrium, so only rounding is left all the way.
+    // Design: |ż| < 0.01 m/s at the end of the hold. It begins in equilibrium, so only rounding is
+    // left all the way.
     EXPECT_LT(std::abs(s.climb), 1e-6) << s.time;
     EXPECT_LT(s.tilt, 1e-6) << s.time;
     EXPECT_EQ(s.clamped, 0);
@@ -117,11 +121,12 @@ TEST_P(ClosedLoop, AltitudeStepOfOneMetre) {
   double highest = 0.0;
   for (const Sample& s : samples) highest = std::max(highest, s.z);
   const double settled = lastTimeOutside(samples, &Sample::z, target, 0.02);
-  std::cout << "step of 1 m, latency " << GetParam() << " ms: overshoot " << 100 * (highest - target)
-            << " %, within 2 % after " << settled << " s\n";
+  std::cout << "step of 1 m, latency " << GetParam() << " ms: overshoot "
+            << 100 * (highest - target) << " %, within 2 % after " << settled << " s\n";
   EXPECT_LT(highest - target, 0.02);  // predicted by the linear loop: below 0.1 %
   EXPECT_LT(settled, 3.5);            // predicted: 2.7 s
-  // The effort ends at m g exactly (thesis Fig. 2.3): the integral's slowest time constant is 4 s, 11 s are left.
+  // The effort ends at m g exactly (thesis Fig. 2.3): the integral's slowest time constant is 4 s,
+  // 11 s are left.
   EXPECT_NEAR(flight.controller().record().back().thrust, 0.73 * 9.8, 0.02);
 }
 
@@ -131,7 +136,8 @@ TEST_P(ClosedLoop, RecoversFromATiltAtRest) {
   start.q_WB = Eigen::AngleAxisd(5.0 * M_PI / 180, Eigen::Vector3d(1, 1, 0).normalized());
   const std::vector<Sample> samples = flight.fly(start, 150);
   const double settled = lastTimeOutside(samples, &Sample::tilt, 0.0, 0.5 * M_PI / 180);
-  std::cout << "5 degrees at rest, latency " << GetParam() << " ms: below 0.5 degrees after " << settled << " s\n";
+  std::cout << "5 degrees at rest, latency " << GetParam() << " ms: below 0.5 degrees after "
+            << settled << " s\n";
   EXPECT_LT(settled, 6.0);
   EXPECT_LT(samples.back().tilt, 0.25 * M_PI / 180);
 }
@@ -148,8 +154,8 @@ TEST_P(ClosedLoop, RecoversFromATiltInTheFallOfExploration) {
   double highest = 0.0;
   for (const Sample& s : samples) highest = std::max(highest, s.tilt);
   const double settled = lastTimeOutside(samples, &Sample::tilt, 0.0, 0.5 * M_PI / 180);
-  std::cout << "5 degrees at -50 m/s, latency " << GetParam() << " ms: below 0.5 degrees after " << settled
-            << " s, at most " << highest * 180 / M_PI << " degrees\n";
+  std::cout << "5 degrees at -50 m/s, latency " << GetParam() << " ms: below 0.5 degrees after "
+            << settled << " s, at most " << highest * 180 / M_PI << " degrees\n";
   EXPECT_LT(settled, 8.0);
   EXPECT_LT(highest, 6.0 * M_PI / 180);
   EXPECT_LT(samples.back().tilt, 0.25 * M_PI / 180);
@@ -162,8 +168,8 @@ TEST_P(ClosedLoop, TurnsToAHeading) {
   const double settled = lastTimeOutside(samples, &Sample::yaw, 1.0, 0.05);
   double highest = 0.0;
   for (const Sample& s : samples) highest = std::max(highest, s.yaw);
-  std::cout << "heading step of 1 rad, latency " << GetParam() << " ms: overshoot " << 100 * (highest - 1.0)
-            << " %, within 5 % after " << settled << " s\n";
+  std::cout << "heading step of 1 rad, latency " << GetParam() << " ms: overshoot "
+            << 100 * (highest - 1.0) << " %, within 5 % after " << settled << " s\n";
   EXPECT_LT(settled, 6.0);
   EXPECT_NEAR(samples.back().yaw, 1.0, 0.01);
 }
@@ -192,7 +198,8 @@ TEST_P(ClosedLoop, FallsAsThePointMassDoesWithoutSignal) {
   flight.plan().exploration_signal = {0.0};  // and zero after it
   const std::vector<Sample> samples = flight.fly(flight.start(), 300);
   const double acceleration = (kMassEstimate / 0.73 - 1.0) * 9.8;
-  // The late command and the rotor lag (25 ms down) hold the first thrust a little longer: constant offset in ż.
+  // The late command and the rotor lag (25 ms down) hold the first thrust a little longer: constant
+  // offset in ż.
   const double held = 1e-3 * GetParam() + 0.025;
   EXPECT_NEAR(samples.back().climb, acceleration * (30.0 - held), 0.05);
   EXPECT_LT(samples.back().tilt, 1e-6);

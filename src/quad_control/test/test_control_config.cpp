@@ -67,11 +67,14 @@ TEST(ControlConfig, ComplaintsSayFileLineKeyAndLimit) {
   says(complaint("hold_time: 6.0", "hold_time: -1"), "c.yaml:6: control.hold_time = -1");
   says(complaint("hold_time: 6.0", "hold_tim: 6.0"), "hold_time");
   says(complaint("  hold_time: 6.0", "  hold_time: 6.0\n  gain: 1"), "control.gain");
-  says(complaint("position_loop: false", "position_loop: maybe"), "c.yaml:5: control.position_loop = maybe");
-  says(complaint("sampling_period: 0.1", "sampling_period: 0.1005"), "whole number of simulation.step = 0.001 s (0.1 s or");
+  says(complaint("position_loop: false", "position_loop: maybe"),
+       "c.yaml:5: control.position_loop = maybe");
+  says(complaint("sampling_period: 0.1", "sampling_period: 0.1005"),
+       "whole number of simulation.step = 0.001 s (0.1 s or");
   says(complaint("latency: 0.045", "latency: 0.1"), "must be below sampling_period");
   says(complaint("mode: wallclock", "mode: realtime"), "lockstep");
-  says(complaint("forgetting_factor: 0.94", "forgetting_factor: 1"), "timing.forgetting_factor = 1");
+  says(complaint("forgetting_factor: 0.94", "forgetting_factor: 1"),
+       "timing.forgetting_factor = 1");
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ TEST(Messages, RecordKeepsOrderAndFigures) {
 }
 
 TEST(Messages, WrenchAndPose) {
-  const geometry_msgs::WrenchStamped wrench = toMsg(ControlInput(1, 2, 3, 4), ros::Time(1, 0), "hummingbird/base_link");
+  const geometry_msgs::WrenchStamped wrench =
+      toMsg(ControlInput(1, 2, 3, 4), ros::Time(1, 0), "hummingbird/base_link");
   EXPECT_EQ(wrench.wrench.force.z, 1.0);
   EXPECT_EQ(wrench.wrench.torque.x, 2.0);
   EXPECT_EQ(wrench.wrench.torque.z, 4.0);

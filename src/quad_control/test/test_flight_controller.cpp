@@ -55,7 +55,8 @@ TEST(RollPitchYaw, IsTheInverseOfRzRyRx) {
     const Eigen::Quaterniond q = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
                                  Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
                                  Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
-    const Eigen::Vector3d angles = rollPitchYaw(Eigen::Quaterniond(2.0 * q.coeffs()));  // any length
+    const Eigen::Vector3d angles =
+        rollPitchYaw(Eigen::Quaterniond(2.0 * q.coeffs()));  // any length
     // asin loses digits near ±90 degrees: eps / cos(1.5) = 14 eps, atan2 there the same again.
     EXPECT_NEAR(angles.x(), roll, 1e-13);
     EXPECT_NEAR(angles.y(), pitch, 1e-13);
@@ -97,7 +98,9 @@ TEST(FlightController, SignalReplacesTheAltitudeLoopSampleBySample) {
     o.p_WB.z() = k < 3 ? 5.0 : 4.0;  // an error the altitude loop would answer
     const ControlOutput& out = controller.update(o);
     EXPECT_EQ(out.exploring, k >= 3);
-    const double expected = k < 3 ? p.initial_altitude_effort : k < 6 ? p.exploration_signal[k - 3] : 0.0;
+    const double expected = k < 3   ? p.initial_altitude_effort
+                            : k < 6 ? p.exploration_signal[k - 3]
+                                    : 0.0;
     if (k < 3) {
       EXPECT_NEAR(out.t_eff, expected, 1e-15);
     } else {
@@ -194,7 +197,10 @@ TEST(FlightController, AnswersErrorsWithTheRightSigns) {
   EXPECT_NEAR(out.tau_phi, -c.roll_pitch.position * 0.1, 1e-16);
   EXPECT_NEAR(out.tau_theta, -c.roll_pitch.velocity * 0.2, 1e-16);
   EXPECT_NEAR(out.tau_psi, c.yaw.velocity * 0.3, 1e-16);
-  EXPECT_NEAR(out.t_eff, plan().initial_altitude_effort + c.altitude.position * 0.1 + c.altitude.velocity * 0.5, 1e-14);
+  EXPECT_NEAR(
+      out.t_eff,
+      plan().initial_altitude_effort + c.altitude.position * 0.1 + c.altitude.velocity * 0.5,
+      1e-14);
 }
 
 TEST(FlightController, HeadingErrorTakesTheShortWay) {
@@ -214,8 +220,10 @@ TEST(PositionLoop, TiltsTowardsTheReferenceInAnyHeading) {
     r.x = 1.0;
     r.y = -0.5;
     const TiltReference tilt = positionLoop(r, o, kGravity);
-    // Small angles: the thrust's direction Rz Ry Rx e_z has the horizontal part Rz (pitch, -roll), Eq. (1.5).
-    const Eigen::Vector2d push = Eigen::Rotation2Dd(yaw) * Eigen::Vector2d(tilt.pitch, -tilt.roll) * kGravity;
+    // Small angles: the thrust's direction Rz Ry Rx e_z has the horizontal part Rz (pitch, -roll),
+    // Eq. (1.5).
+    const Eigen::Vector2d push =
+        Eigen::Rotation2Dd(yaw) * Eigen::Vector2d(tilt.pitch, -tilt.roll) * kGravity;
     EXPECT_NEAR(push.x(), 0.09 * 1.0, 1e-15);
     EXPECT_NEAR(push.y(), 0.09 * -0.5, 1e-15);
     o.v_WB_B = o.q_WB.conjugate() * Eigen::Vector3d(0.15, -0.075, 0.0);  // a = 0.09 e - 0.6 v = 0
@@ -233,7 +241,8 @@ TEST(FlightController, OutputsSaturateWithinTheRotors) {
     quad_sim::Odometry o = odometry(side < 0 ? 0 : 1);
     o.p_WB.z() = side * 1e6;
     const ControlOutput falling = controller.update(o);
-    EXPECT_EQ(falling.t_eff, side > 0 ? -feed_forward : controller.mixer().maxThrust() - feed_forward);
+    EXPECT_EQ(falling.t_eff,
+              side > 0 ? -feed_forward : controller.mixer().maxThrust() - feed_forward);
   }
   FlightController turning = begun();
   quad_sim::Odometry o = odometry(0);
@@ -265,7 +274,9 @@ TEST(FlightController, RefusesWhatCannotFly) {
   refused([](FlightPlan& p) { p.feed_forward_mass = 0.0; });
   refused([](FlightPlan& p) { p.feed_forward_mass = 3.0; });  // 29 N, the rotors give 24
   refused([](FlightPlan& p) { p.gravity = -9.8; });
-  refused([](FlightPlan& p) { p.exploration_signal = {0.0, std::numeric_limits<double>::quiet_NaN()}; });
+  refused([](FlightPlan& p) {
+    p.exploration_signal = {0.0, std::numeric_limits<double>::quiet_NaN()};
+  });
   refused([](FlightPlan& p) { p.references.z = std::numeric_limits<double>::infinity(); });
   controller.begin(plan());
   quad_sim::Odometry o = odometry(0);

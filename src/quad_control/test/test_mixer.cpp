@@ -26,8 +26,12 @@ std::vector<RotorGeometry> hexacopter() {
   std::vector<RotorGeometry> rotors;
   for (int i = 0; i < 6; ++i) {
     const double angle = (i + 0.5) * 3.14159265358979323846 / 3.0;
-    rotors.push_back({{0.215 * std::cos(angle), 0.215 * std::sin(angle), 0.037}, Eigen::Vector3d::UnitZ(),
-                      i % 2 == 0 ? 1 : -1, kThrustCoefficient, kMomentConstant, kMaxSpeed});
+    rotors.push_back({{0.215 * std::cos(angle), 0.215 * std::sin(angle), 0.037},
+                      Eigen::Vector3d::UnitZ(),
+                      i % 2 == 0 ? 1 : -1,
+                      kThrustCoefficient,
+                      kMomentConstant,
+                      kMaxSpeed});
   }
   return rotors;
 }
@@ -57,17 +61,22 @@ TEST(Mixer, RollAndYawRowsOppositeToThesisOnRotorSOrder) {
   for (int row = 0; row < 4; ++row) {
     // Products of two factors, rounded in another order.
     const bool same = (K.row(row) - thesis.row(row)).norm() <= 4 * kEps * thesis.row(row).norm();
-    const bool opposite = (K.row(row) + thesis.row(row)).norm() <= 4 * kEps * thesis.row(row).norm();
+    const bool opposite =
+        (K.row(row) + thesis.row(row)).norm() <= 4 * kEps * thesis.row(row).norm();
     std::cout << "K against Eq. (1.3), rotors front, left, back, right: " << rows[row]
-              << (same ? " equal" : opposite ? " opposite sign" : " different") << '\n';
+              << (same       ? " equal"
+                  : opposite ? " opposite sign"
+                             : " different")
+              << '\n';
     EXPECT_TRUE(expected[row] > 0 ? same : opposite) << rows[row];
   }
 }
 
 TEST(Mixer, IsTheThesisMatrixForItsNumberingAndSpins) {
   std::vector<RotorGeometry> rotors = hummingbirdRotors();
-  std::swap(rotors[1], rotors[3]);                                        // front, right, back, left
-  for (int i = 0; i < 4; ++i) rotors[static_cast<std::size_t>(i)].spin = i % 2 == 0 ? 1 : -1;  // the front one ccw
+  std::swap(rotors[1], rotors[3]);  // front, right, back, left
+  for (int i = 0; i < 4; ++i)
+    rotors[static_cast<std::size_t>(i)].spin = i % 2 == 0 ? 1 : -1;  // the front one ccw
   const Eigen::Matrix4d K = Mixer(rotors).matrix();
   EXPECT_LE((K - thesisMatrix()).norm(), 4 * kEps * thesisMatrix().norm());
 }
@@ -82,9 +91,12 @@ TEST(Mixer, EqualsTheSumOfForcesAndTorquesForTiltedRotors) {
     Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();
     for (RotorGeometry& rotor : rotors) {
       rotor.position_B += 0.05 * Eigen::Vector3d(unit(random), unit(random), unit(random));
-      rotor.axis_B = (Eigen::Vector3d::UnitZ() + 0.3 * Eigen::Vector3d(unit(random), unit(random), 0)).normalized();
+      rotor.axis_B =
+          (Eigen::Vector3d::UnitZ() + 0.3 * Eigen::Vector3d(unit(random), unit(random), 0))
+              .normalized();
       speed.push_back(400.0 + 200.0 * unit(random));
-      const Eigen::Vector3d F = rotor.thrust_coefficient * speed.back() * speed.back() * rotor.axis_B;
+      const Eigen::Vector3d F =
+          rotor.thrust_coefficient * speed.back() * speed.back() * rotor.axis_B;
       force += F;
       torque += rotor.position_B.cross(F) - rotor.spin * rotor.moment_constant * F;
     }
@@ -102,10 +114,12 @@ TEST(Mixer, AllocationGivesWhatWasAsked) {
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     for (int trial = 0; trial < 200; ++trial) {
       SCOPED_TRACE(trial);
-      const ControlInput U(7.0 + unit(random), 0.1 * unit(random), 0.1 * unit(random), 0.02 * unit(random));
+      const ControlInput U(7.0 + unit(random), 0.1 * unit(random), 0.1 * unit(random),
+                           0.02 * unit(random));
       const Allocation allocation = mixer.allocate(U);
       ASSERT_EQ(allocation.clamped, 0);
-      // The condition number of K is about 60 (yaw lever 0.016 m against 1): 60 eps of 7 N; measured 4e-15.
+      // The condition number of K is about 60 (yaw lever 0.016 m against 1): 60 eps of 7 N;
+      // measured 4e-15.
       EXPECT_LE((mixer.controlInput(allocation.rotor_speed) - U).norm(), 1e-13);
     }
   }
@@ -116,7 +130,8 @@ TEST(Mixer, HexacopterAllocationHasLeastNorm) {
   const ControlInput U(9.0, 0.1, -0.05, 0.01);
   const std::vector<double> speed = mixer.allocate(U).rotor_speed;
   Eigen::VectorXd squares(6);
-  for (int i = 0; i < 6; ++i) squares(i) = speed[static_cast<std::size_t>(i)] * speed[static_cast<std::size_t>(i)];
+  for (int i = 0; i < 6; ++i)
+    squares(i) = speed[static_cast<std::size_t>(i)] * speed[static_cast<std::size_t>(i)];
   // The solution of least norm is orthogonal to the null space of K.
   const Eigen::MatrixXd kernel = Eigen::MatrixXd(mixer.matrix()).fullPivLu().kernel();
   ASSERT_EQ(kernel.cols(), 2);
@@ -139,7 +154,8 @@ TEST(Mixer, ClampsAndCountsBothWays) {
 TEST(Mixer, MarginIsWhereClampingBegins) {
   const Mixer mixer(hummingbirdRotors());
   const ControlInput hover(6.12206, 0, 0, 0);
-  // By hand: the slower rotor stops, so each of the two gives T/4: l T/2. Yaw: four rotors, 0.016 T.
+  // By hand: the slower rotor stops, so each of the two gives T/4: l T/2. Yaw: four rotors, 0.016
+  // T.
   EXPECT_NEAR(mixer.margin(hover, 2), kArm * 6.12206 / 2, 1e-12);
   EXPECT_NEAR(mixer.margin(hover, 3), kMomentConstant * 6.12206, 1e-12);
   for (int axis = 0; axis < 4; ++axis) {
@@ -162,32 +178,41 @@ TEST(Mixer, MaximalThrustIsRotorS) {
 TEST(Mixer, SingularAllocationNamesWhatIsLost) {
   std::vector<RotorGeometry> rotors = hummingbirdRotors();
   for (RotorGeometry& rotor : rotors) rotor.moment_constant = 0.0;
-  EXPECT_NE(messageOf(rotors).find("rank 3 of 4, so yaw torque cannot be commanded; "), std::string::npos)
+  EXPECT_NE(messageOf(rotors).find("rank 3 of 4, so yaw torque cannot be commanded; "),
+            std::string::npos)
       << messageOf(rotors);
   rotors = hummingbirdRotors();
-  for (RotorGeometry& rotor : rotors) rotor.spin = 1;  // the drag torques no longer cancel: yaw goes with thrust
-  EXPECT_NE(messageOf(rotors).find("rank 3 of 4, so thrust and yaw torque cannot be commanded independently of each "
-                                   "other; "),
+  for (RotorGeometry& rotor : rotors)
+    rotor.spin = 1;  // the drag torques no longer cancel: yaw goes with thrust
+  EXPECT_NE(messageOf(rotors).find(
+                "rank 3 of 4, so thrust and yaw torque cannot be commanded independently of each "
+                "other; "),
             std::string::npos)
       << messageOf(rotors);
   for (RotorGeometry& rotor : rotors) rotor.position_B.x() = 0.0;
-  EXPECT_NE(messageOf(rotors).find("rank 2 of 4, so pitch torque cannot be commanded, and thrust and yaw torque cannot "
-                                   "be commanded independently of each other; "),
-            std::string::npos)
+  EXPECT_NE(
+      messageOf(rotors).find(
+          "rank 2 of 4, so pitch torque cannot be commanded, and thrust and yaw torque cannot "
+          "be commanded independently of each other; "),
+      std::string::npos)
       << messageOf(rotors);
   rotors = hummingbirdRotors();
   rotors[0].position_B.x() = rotors[2].position_B.x() = 0.0;
   for (RotorGeometry& rotor : rotors) rotor.spin = rotor.position_B.y() > 0 ? 1 : -1;
   EXPECT_NE(messageOf(rotors).find("rank"), std::string::npos);
-  EXPECT_NE(messageOf(rotors).find("so pitch torque cannot be commanded; "), std::string::npos) << messageOf(rotors);
+  EXPECT_NE(messageOf(rotors).find("so pitch torque cannot be commanded; "), std::string::npos)
+      << messageOf(rotors);
   rotors = hummingbirdRotors();
   rotors.pop_back();
-  EXPECT_NE(messageOf(rotors).find("3 rotors give a matrix of rank 3 of 4, so thrust, roll torque and yaw torque cannot "
-                                   "be commanded independently of each other;"),
-            std::string::npos)
+  EXPECT_NE(
+      messageOf(rotors).find(
+          "3 rotors give a matrix of rank 3 of 4, so thrust, roll torque and yaw torque cannot "
+          "be commanded independently of each other;"),
+      std::string::npos)
       << messageOf(rotors);
   rotors.resize(2);
-  EXPECT_NE(messageOf(rotors).find("2 rotors give a matrix of rank 2 of 4"), std::string::npos) << messageOf(rotors);
+  EXPECT_NE(messageOf(rotors).find("2 rotors give a matrix of rank 2 of 4"), std::string::npos)
+      << messageOf(rotors);
   EXPECT_NE(messageOf({}).find("0 rotors"), std::string::npos) << messageOf({});
 }
 

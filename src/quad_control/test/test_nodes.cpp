@@ -81,21 +81,25 @@ struct Row {
 
 Row row(const nav_msgs::Odometry& odometry, std::vector<double> speed) {
   for (double& w : speed) w = std::abs(w);
-  return {quad_sim::simulatedTime(odometry.header.stamp), odometry.pose.pose.position.z, odometry.twist.twist.linear.z, speed};
+  return {quad_sim::simulatedTime(odometry.header.stamp), odometry.pose.pose.position.z,
+          odometry.twist.twist.linear.z, speed};
 }
 
 class Nodes : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    for (const char* name : {"controller/set_flight_plan", "controller/flight_record", "time_manager/begin"}) {
+    for (const char* name :
+         {"controller/set_flight_plan", "controller/flight_record", "time_manager/begin"}) {
       const std::string service = std::string("/hummingbird/") + name;
-      for (int i = 0; i < 1000 && !ros::service::exists(service, false); ++i) ros::WallDuration(0.02).sleep();
+      for (int i = 0; i < 1000 && !ros::service::exists(service, false); ++i)
+        ros::WallDuration(0.02).sleep();
       ASSERT_TRUE(ros::service::exists(service, true));
     }
   }
 
   std::vector<Row> fly(int intervals) {
-    const SetFlightPlan::Response accepted = call<SetFlightPlan>("controller/set_flight_plan", plan());
+    const SetFlightPlan::Response accepted =
+        call<SetFlightPlan>("controller/set_flight_plan", plan());
     EXPECT_TRUE(accepted.success) << accepted.message;
     const Begin::Response first = begin();
     EXPECT_TRUE(first.success) << first.message;
@@ -119,7 +123,8 @@ class Nodes : public testing::Test {
     std::vector<Row> rows;
     for (int k = 0; k <= intervals; ++k) {
       const quad_sim::Measurement now = simulator.measure();
-      rows.push_back({now.odometry.time_ns, now.odometry.p_WB.z(), now.odometry.v_WB_B.z(), now.rotor_speed});
+      rows.push_back(
+          {now.odometry.time_ns, now.odometry.p_WB.z(), now.odometry.v_WB_B.z(), now.rotor_speed});
       simulator.advance(kLatencySteps);
       simulator.setCommand(controller.update(now.odometry).rotor_speed);
       simulator.advance(kSteps - kLatencySteps);
@@ -134,7 +139,8 @@ TEST_F(Nodes, FlyTheSameBitsAsTheLibraryTwice) {
     SCOPED_TRACE(flight);
     const std::vector<Row> rows = fly(30);
     ASSERT_EQ(rows.size(), expected.size());
-    for (std::size_t k = 0; k < rows.size(); ++k) EXPECT_TRUE(rows[k] == expected[k]) << "row " << k;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      EXPECT_TRUE(rows[k] == expected[k]) << "row " << k;
     const TimingReport::Response report = end();
     ASSERT_TRUE(report.success) << report.message;
     EXPECT_EQ(report.mode, "lockstep");
@@ -168,16 +174,20 @@ TEST_F(Nodes, PublishTheInputAndItsReconstruction) {
   ros::NodeHandle handle;
   std::vector<geometry_msgs::WrenchStamped> u, u_fb;
   const ros::Subscriber u_sub = handle.subscribe<geometry_msgs::WrenchStamped>(
-      "/hummingbird/control/u", 100, [&u](const geometry_msgs::WrenchStamped::ConstPtr& m) { u.push_back(*m); });
+      "/hummingbird/control/u", 100,
+      [&u](const geometry_msgs::WrenchStamped::ConstPtr& m) { u.push_back(*m); });
   const ros::Subscriber fb_sub = handle.subscribe<geometry_msgs::WrenchStamped>(
-      "/hummingbird/control/u_fb", 100, [&u_fb](const geometry_msgs::WrenchStamped::ConstPtr& m) { u_fb.push_back(*m); });
-  for (int i = 0; i < 500 && (u_sub.getNumPublishers() == 0 || fb_sub.getNumPublishers() == 0); ++i) {
+      "/hummingbird/control/u_fb", 100,
+      [&u_fb](const geometry_msgs::WrenchStamped::ConstPtr& m) { u_fb.push_back(*m); });
+  for (int i = 0; i < 500 && (u_sub.getNumPublishers() == 0 || fb_sub.getNumPublishers() == 0);
+       ++i) {
     ros::WallDuration(0.01).sleep();
   }
   fly(3);
   ASSERT_TRUE(end().success);
   const auto complete = [&] { return u.size() >= 4 && u_fb.size() >= 4; };
-  for (int i = 0; i < 500 && !complete(); ++i) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
+  for (int i = 0; i < 500 && !complete(); ++i)
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
   ASSERT_TRUE(complete()) << u.size() << " " << u_fb.size();
   // In the hold both are m g; the reconstruction goes through a square root and a square.
   EXPECT_NEAR(u.front().wrench.force.z, 0.73 * 9.8, 1e-9);
@@ -206,17 +216,20 @@ TEST_F(Nodes, SayWhatIsWrong) {
 
 TEST_F(Nodes, PoseCommandMovesTheReference) {
   ros::NodeHandle handle;
-  ros::Publisher pose_pub = handle.advertise<geometry_msgs::PoseStamped>("/hummingbird/command/pose", 1);
+  ros::Publisher pose_pub =
+      handle.advertise<geometry_msgs::PoseStamped>("/hummingbird/command/pose", 1);
   SetFlightPlan::Request hold = plan();
   hold.exploration_signal.clear();  // a hold that goes on
   ASSERT_TRUE(call<SetFlightPlan>("controller/set_flight_plan", hold).success);
   ASSERT_TRUE(begin().success);
-  for (int i = 0; i < 500 && pose_pub.getNumSubscribers() == 0; ++i) ros::WallDuration(0.01).sleep();
+  for (int i = 0; i < 500 && pose_pub.getNumSubscribers() == 0; ++i)
+    ros::WallDuration(0.01).sleep();
   geometry_msgs::PoseStamped pose;
   pose.pose.position.z = 5001.0;
   pose.pose.orientation.w = 1.0;
   pose_pub.publish(pose);
-  ros::WallDuration(0.2).sleep();  // a topic has no acknowledgement; missing it would fail below, not pass
+  ros::WallDuration(0.2)
+      .sleep();  // a topic has no acknowledgement; missing it would fail below, not pass
   Advance::Response last;
   for (int k = 0; k < 60; ++k) last = advance();
   EXPECT_NEAR(last.odometry.pose.pose.position.z, 5001.0, 0.05);  // settled to 2 % after 2.4 s
@@ -227,7 +240,8 @@ TEST_F(Nodes, StepRate) {
   ASSERT_TRUE(call<SetFlightPlan>("controller/set_flight_plan", plan()).success);
   ASSERT_TRUE(begin().success);
   ros::NodeHandle handle;
-  ros::ServiceClient client = handle.serviceClient<Advance>("/hummingbird/time_manager/advance", true);
+  ros::ServiceClient client =
+      handle.serviceClient<Advance>("/hummingbird/time_manager/advance", true);
   constexpr int kCount = 2000;
   const auto start = std::chrono::steady_clock::now();
   for (int k = 0; k < kCount; ++k) {
@@ -239,8 +253,10 @@ TEST_F(Nodes, StepRate) {
       ASSERT_TRUE(begin().success);
     }
   }
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::cout << kCount / seconds << " control steps/s through time manager, simulator and controller\n";
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::cout << kCount / seconds
+            << " control steps/s through time manager, simulator and controller\n";
   RecordProperty("steps_per_second", static_cast<int>(kCount / seconds));
   ASSERT_TRUE(end().success);
 }

@@ -38,7 +38,8 @@ TEST(PiController, EqualsThePrintedSum) {
       sum_v += ev[static_cast<std::size_t>(i)] * 0.1;
     }
     // Sums of 300 terms of order 1 in the same order: equal to some roundings of a value up to 10.
-    EXPECT_NEAR(pi.update(ep.back(), ev.back()), 2.0 * ep.back() + 0.5 * sum_p + 3.0 * ev.back() + 0.25 * sum_v, 1e-13);
+    EXPECT_NEAR(pi.update(ep.back(), ev.back()),
+                2.0 * ep.back() + 0.5 * sum_p + 3.0 * ev.back() + 0.25 * sum_v, 1e-13);
   }
 }
 
@@ -62,7 +63,8 @@ TEST(PiController, SaturatesAndLeavesSaturationAtOnce) {
     EXPECT_TRUE(pi.saturated());
   }
   EXPECT_EQ(pi.positionIntegral(), 0.0);  // nothing was summed while at the limit
-  EXPECT_EQ(pi.update(0.0, 0.0), 0.0);    // with wind-up this would still be at 2 for a hundred samples
+  EXPECT_EQ(pi.update(0.0, 0.0),
+            0.0);  // with wind-up this would still be at 2 for a hundred samples
   EXPECT_FALSE(pi.saturated());
   for (int k = 0; k < 100; ++k) EXPECT_EQ(pi.update(-5.0, 0.0), -0.5);
   EXPECT_EQ(pi.positionIntegral(), 0.0);

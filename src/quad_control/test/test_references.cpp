@@ -36,9 +36,16 @@ std::string complaint(const Action& action) {
 }
 
 TEST(ReferenceTrajectory, ImpossibleOnesAreRefused) {
-  EXPECT_THAT(complaint([] { ReferenceTrajectory t(std::vector<Waypoint>{}); }), HasSubstr("no waypoint"));
-  EXPECT_THAT(complaint([] { ReferenceTrajectory t(std::vector<Waypoint>{{2, {}}, {1, {}}}); }), HasSubstr("waypoint 1: time"));
-  EXPECT_THAT(complaint([] { ReferenceTrajectory t(std::vector<Waypoint>{{0, {0, 0, NAN, 0}}}); }), HasSubstr("is not finite"));
+  EXPECT_THAT(complaint([] { ReferenceTrajectory t(std::vector<Waypoint>{}); }),
+              HasSubstr("no waypoint"));
+  EXPECT_THAT(complaint([] {
+                ReferenceTrajectory t(std::vector<Waypoint>{{2, {}}, {1, {}}});
+              }),
+              HasSubstr("waypoint 1: time"));
+  EXPECT_THAT(complaint([] {
+                ReferenceTrajectory t(std::vector<Waypoint>{{0, {0, 0, NAN, 0}}});
+              }),
+              HasSubstr("is not finite"));
 }
 
 TEST(Waypoints, AreReadAsRotorsWritesThem) {
@@ -47,16 +54,21 @@ TEST(Waypoints, AreReadAsRotorsWritesThem) {
   EXPECT_EQ(w[1].from_start_ns, 2500000000);
   EXPECT_EQ(w[1].references.y, 0.5);
   EXPECT_NEAR(w[1].references.yaw, std::acos(0.0), 1e-15);
-  EXPECT_THAT(complaint([] { readWaypoints("0 0 0 1 0\n1 2 3\n", "w.txt"); }), HasSubstr("w.txt:2: 3 numbers; must be 5"));
-  EXPECT_THAT(complaint([] { readWaypoints("0 0 up 1 0\n", "w.txt"); }), HasSubstr("w.txt:1: 'up' is not a number"));
-  EXPECT_THAT(complaint([] { readWaypoints("-1 0 0 1 0\n", "w.txt"); }), HasSubstr("must lie in [0, 1e6]"));
-  EXPECT_THAT(complaint([] { readWaypoints("# nothing\n", "w.txt"); }), HasSubstr("w.txt: no waypoint"));
+  EXPECT_THAT(complaint([] { readWaypoints("0 0 0 1 0\n1 2 3\n", "w.txt"); }),
+              HasSubstr("w.txt:2: 3 numbers; must be 5"));
+  EXPECT_THAT(complaint([] { readWaypoints("0 0 up 1 0\n", "w.txt"); }),
+              HasSubstr("w.txt:1: 'up' is not a number"));
+  EXPECT_THAT(complaint([] { readWaypoints("-1 0 0 1 0\n", "w.txt"); }),
+              HasSubstr("must lie in [0, 1e6]"));
+  EXPECT_THAT(complaint([] { readWaypoints("# nothing\n", "w.txt"); }),
+              HasSubstr("w.txt: no waypoint"));
 }
 
 int samplesIn(double odometry_ms, double period_s, double seconds) {
   SampleClock clock(period_s);
   int samples = 0;
-  for (double t = 0; t < seconds * 1000; t += odometry_ms) samples += clock.isSample(std::llround(t * 1e6)) ? 1 : 0;
+  for (double t = 0; t < seconds * 1000; t += odometry_ms)
+    samples += clock.isSample(std::llround(t * 1e6)) ? 1 : 0;
   return samples;
 }
 

@@ -40,8 +40,9 @@ struct Worst {
     }
   }
   void print(const char* name) const {
-    std::cout << std::setprecision(4) << name << ": spectral radius " << radius << ", gain x " << gain_down << " ... x "
-              << gain_up << ", phase " << phase << " deg, delay " << 1e3 * delay << " ms, peak " << peak << '\n';
+    std::cout << std::setprecision(4) << name << ": spectral radius " << radius << ", gain x "
+              << gain_down << " ... x " << gain_up << ", phase " << phase << " deg, delay "
+              << 1e3 * delay << " ms, peak " << peak << '\n';
   }
 };
 
@@ -54,7 +55,8 @@ TEST(Discretise, DoubleIntegratorIsEq22) {
   EXPECT_EQ(sampled.B_old.norm(), 0.0);
   // With latency d the old input pushes first: velocity d/m, position (d²/2 + d (dT − d))/m.
   const SampledPlant late = discretise(plant, kPeriodSeconds, 0.045);
-  EXPECT_LE((late.B_old - Eigen::Vector2d(0.045 * 0.045 / 2 + 0.045 * 0.055, 0.045) / 0.73).norm(), 1e-15);
+  EXPECT_LE((late.B_old - Eigen::Vector2d(0.045 * 0.045 / 2 + 0.045 * 0.055, 0.045) / 0.73).norm(),
+            1e-15);
   EXPECT_LE((late.B_old + late.B_new - sampled.B_new).norm(), 1e-15);
   EXPECT_THROW(discretise(plant, kPeriodSeconds, -0.001), std::invalid_argument);
   EXPECT_THROW(discretise(plant, 0.0, 0.0), std::invalid_argument);
@@ -78,7 +80,8 @@ TEST(ClosedLoop, FollowsThePiController) {
     x = sampled.A * x + sampled.B_old * u_last + sampled.B_new * u;
     u_last = u;
     state = closed * state;
-    ASSERT_LE((state.head(3) - x).norm(), 1e-12) << k;  // values up to 1, a decaying motion: rounding only
+    ASSERT_LE((state.head(3) - x).norm(), 1e-12)
+        << k;  // values up to 1, a decaying motion: rounding only
   }
 }
 
@@ -100,7 +103,8 @@ TEST(Margins, AgreeWithTheFrequencyResponse) {
   EXPECT_GE(m.phase_degrees, 2 * std::asin(0.5 / peak) * 180 / M_PI);
   // At the delay margin's edge the loop oscillates undamped.
   const auto radius = [&](double more) {
-    return spectralRadius(closedLoop(plant, discretise(plant, kPeriodSeconds, 0.045 + more), {gains}));
+    return spectralRadius(
+        closedLoop(plant, discretise(plant, kPeriodSeconds, 0.045 + more), {gains}));
   };
   EXPECT_NEAR(radius(m.delay_s), 1.0, 1e-6);
   EXPECT_LT(radius(0.99 * m.delay_s), 1.0);
@@ -122,7 +126,8 @@ TEST(ClosedLoop, LatencyBeyondAPeriodFollowsTheStepwiseLoop) {
     const std::size_t now = u.size() - 1;
     x = sampled.A * x + sampled.B_old * u[now - 3] + sampled.B_new * u[now - 2];
     state = closed * state;
-    ASSERT_LE((state.head(3) - x).norm(), 1e-12 * (1.0 + x.norm())) << k;  // the same sums in another order
+    ASSERT_LE((state.head(3) - x).norm(), 1e-12 * (1.0 + x.norm()))
+        << k;  // the same sums in another order
   }
 }
 
@@ -146,16 +151,18 @@ TEST(ShippedGains, RollAndPitchAtAnyFallSpeed) {
   EXPECT_LT(all.gain_down, 0.5);
   EXPECT_GT(all.phase, 30.0);
   EXPECT_GT(all.delay, 0.045);  // the latency may double
-  EXPECT_LT(all.peak, 1.9);  // guarantees gain x 2.1 and 30 degrees
+  EXPECT_LT(all.peak, 1.9);     // guarantees gain x 2.1 and 30 degrees
 }
 
 TEST(ShippedGains, RollAndPitchWithRollingMomentsThatAdd) {
-  // Profile rotors_compat: the moments couple roll and pitch like a gyroscope without the gyroscope's energy balance.
+  // Profile rotors_compat: the moments couple roll and pitch like a gyroscope without the
+  // gyroscope's energy balance.
   Worst all;
   for (const double climb : kClimbRates) {
     for (const double speed : kRotorSpeeds) {
       for (const double lag : kLags) {
-        all.include(tiltPlant(test::hummingbirdLoops(), climb, speed, lag, true), shipped().roll_pitch);
+        all.include(tiltPlant(test::hummingbirdLoops(), climb, speed, lag, true),
+                    shipped().roll_pitch);
       }
     }
   }
@@ -176,7 +183,8 @@ TEST(ShippedGains, Yaw) {
 
 TEST(ShippedGains, Altitude) {
   Worst worst;
-  for (const double lag : kLags) worst.include(doubleIntegratorPlant(0.73, lag), shipped().altitude);
+  for (const double lag : kLags)
+    worst.include(doubleIntegratorPlant(0.73, lag), shipped().altitude);
   worst.print("altitude");
   EXPECT_LT(worst.radius, 0.99);
   EXPECT_GT(worst.gain_up, 2.5);

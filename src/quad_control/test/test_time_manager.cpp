@@ -25,7 +25,8 @@ TEST(ForgettingMean, RecursionEqualsThePrintedSum) {
         sum += w * x[static_cast<std::size_t>(i - 1)];
         weight += w;
       }
-      // Values of 0.01 s; the recursion forgets its own rounding within 1/(1 - lambda) = 1000 terms.
+      // Values of 0.01 s; the recursion forgets its own rounding within 1/(1 - lambda) = 1000
+      // terms.
       EXPECT_NEAR(mean.mean(), sum / weight, 1e-15) << lambda << " " << k;
     }
   }
@@ -55,7 +56,8 @@ TEST(TimeManager, WaitsTheRest) {
 }
 
 TEST(TimeManager, MeanIntervalReachesTheDesiredOne) {
-  // Thesis Figs. 1.6 and 1.7: 0.15 s asked for 38 s, a service time that is random around a mean that drifts.
+  // Thesis Figs. 1.6 and 1.7: 0.15 s asked for 38 s, a service time that is random around a mean
+  // that drifts.
   std::mt19937 random(4);
   std::gamma_distribution<double> jitter(4.0, 0.0015);
   TimeManager time(0.94);
@@ -66,8 +68,9 @@ TEST(TimeManager, MeanIntervalReachesTheDesiredOne) {
     time.measured(wait, interval);
     if (k > 0) statistics.add(interval, 0.15);  // the first one comes before anything is known
   }
-  // Standard deviation 3 ms of one interval, of a mean over 252 with negative correlation below 0.2 ms; the drift is
-  // followed with 1/(1 - 0.94) = 17 intervals' delay, 2 ms at most and of either sign.
+  // Standard deviation 3 ms of one interval, of a mean over 252 with negative correlation below 0.2
+  // ms; the drift is followed with 1/(1 - 0.94) = 17 intervals' delay, 2 ms at most and of either
+  // sign.
   EXPECT_NEAR(statistics.mean(), 0.15, 3e-4);
 }
 

@@ -152,11 +152,10 @@ std::vector<std::string> notes(const ExperimentConfig& config) {
   const double flown = std::round(latency / step) * step;
   // A decimal fraction such as 0.045 is a whole number of steps up to rounding.
   if (std::abs(flown - latency) > 1e-9 * step) {
-    notes.push_back(
-        fmt::format("timing.latency = {} s is flown as {:.9g} s, a whole number of "
-                    "simulation.step = {} s: {:.3g} ms {}",
-                    latency, flown, step, 1e3 * std::abs(flown - latency),
-                    flown > latency ? "more" : "less"));
+    notes.push_back(fmt::format(
+        "timing.latency = {} s is flown as {:.9g} s, a whole number of "
+        "simulation.step = {} s: {:.3g} ms {}",
+        latency, flown, step, 1e3 * std::abs(flown - latency), flown > latency ? "more" : "less"));
   }
   return notes;
 }

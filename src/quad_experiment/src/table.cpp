@@ -197,7 +197,8 @@ std::string comparisonTable(const ExperimentPlan& plan, const ExperimentResult& 
                                         static_cast<Eigen::Index>(plan.amplitudes.size()))
           .norm();
   text += fmt::format(
-      "\ncertified: no signal on these lines below gamma_e = {:.6g} can promise this; designed {:.6g} (gap "
+      "\ncertified: no signal on these lines below gamma_e = {:.6g} can promise this; designed "
+      "{:.6g} (gap "
       "{:.1e}), flown {:.6g}\n",
       plan.design.lower_bound, plan.design.gamma_e, plan.design.gap, flown);
   if (flown < plan.design.lower_bound)

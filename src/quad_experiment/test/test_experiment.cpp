@@ -159,7 +159,8 @@ TEST(AltitudeStep, SettlesAtTheReferenceWithTheVehiclesWeight) {  // thesis Fig.
               0.005);  // settles to 2 % in 2.4 s
   // The thesis reads "exactly m g" off the figure; what is left of the slow integral after 20 s is
   // below 1 mN.
-  EXPECT_NEAR(flight.rows[flight.rows.size() - 2].command.thrust, plan.config.vehicle().mass * 9.8, 1e-3);
+  EXPECT_NEAR(flight.rows[flight.rows.size() - 2].command.thrust, plan.config.vehicle().mass * 9.8,
+              1e-3);
 }
 
 TEST(Experiment, ReachingTheGroundIsAFailedSimulation) {

@@ -43,8 +43,8 @@ struct OdeWorld {
   void quickStep(double h);
 };
 
-/// Moves a body that nothing touches and no joint holds for `h` [s] with a velocity [m/s] and a rate
-/// [rad/s], both in W: to the last bit what dWorldStep() does with it, without the search for
+/// Moves a body that nothing touches and no joint holds for `h` [s] with a velocity [m/s] and a
+/// rate [rad/s], both in W: to the last bit what dWorldStep() does with it, without the search for
 /// islands, the arena and the jobs of a solver that has nothing to solve (docs/design/0009).
 void coast(dBodyID body, const Eigen::Vector3d& v_W, const Eigen::Vector3d& w_W, double h);
 Eigen::Vector3d positionOf(dBodyID body);

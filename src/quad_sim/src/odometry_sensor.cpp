@@ -13,7 +13,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kRotorsCycle = 0.01;  // [s], the physics step of RotorS's worlds
-constexpr const char* kQuantities[] = {"Position", "Quaternion", "LinearVelocity", "AngularVelocity"};
+constexpr const char* kQuantities[] = {"Position", "Quaternion", "LinearVelocity",
+                                       "AngularVelocity"};
 
 /// "0.01 0.01 0.02": three numbers >= 0; a tag that is absent means none.
 Vector3d threeNumbers(const PluginDeclaration& p, const std::string& tag) {
@@ -28,15 +29,18 @@ Vector3d threeNumbers(const PluginDeclaration& p, const std::string& tag) {
       p.fail(tag, "must be three numbers");
     }
   }
-  if (n != 3 || !v.allFinite() || v.minCoeff() < 0) p.fail(tag, "must be three finite numbers >= 0");
+  if (n != 3 || !v.allFinite() || v.minCoeff() < 0)
+    p.fail(tag, "must be three finite numbers >= 0");
   return v;
 }
 
-std::int64_t wholeNumber(const PluginDeclaration& p, const std::string& tag, double fallback, double least) {
+std::int64_t wholeNumber(const PluginDeclaration& p, const std::string& tag, double fallback,
+                         double least) {
   const double x = p.number(tag, fallback);
   constexpr double kMost = 1e6;  // cycles: nearly three hours
   if (x != std::floor(x) || x < least || x > kMost) {
-    p.fail(tag, "must be a whole number of cycles, " + quad_support::shortest(least) + " to 1000000");
+    p.fail(tag,
+           "must be a whole number of cycles, " + quad_support::shortest(least) + " to 1000000");
   }
   return static_cast<std::int64_t>(x);
 }
@@ -44,14 +48,16 @@ std::int64_t wholeNumber(const PluginDeclaration& p, const std::string& tag, dou
 std::uint64_t seedOf(const PluginDeclaration& p, std::uint64_t otherwise) {
   if (p.tags.count("randomEngineSeed") == 0) return otherwise;
   const double x = p.number("randomEngineSeed");
-  if (x < 0 || x != std::floor(x) || x > 9007199254740992.0) p.fail("randomEngineSeed", "must be a whole number >= 0");
+  if (x < 0 || x != std::floor(x) || x > 9007199254740992.0)
+    p.fail("randomEngineSeed", "must be a whole number >= 0");
   return static_cast<std::uint64_t>(x);
 }
 
 }  // namespace
 
 quad_support::RandomStream sensorStream(std::uint64_t seed, const std::string& identity) {
-  std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a: the same on every machine, unlike std::hash
+  std::uint64_t hash =
+      14695981039346656037ULL;  // FNV-1a: the same on every machine, unlike std::hash
   for (const char c : identity) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   return quad_support::RandomStream(seed, 0, hash);
 }
@@ -72,11 +78,12 @@ double nonNegative(const PluginDeclaration& declaration, const std::string& tag,
   return x;
 }
 
-OdometrySensor::OdometrySensor(const SensorModel& model, const std::string& identity, std::uint64_t seed,
-                               double step, bool compat)
+OdometrySensor::OdometrySensor(const SensorModel& model, const std::string& identity,
+                               std::uint64_t seed, double step, bool compat)
     : random_(sensorStream(seedOf(model.declaration, seed), identity)) {
   const PluginDeclaration& p = model.declaration;
-  if (p.text("parentFrameId", "world") != "world") p.fail("parentFrameId", "must be world in this version");
+  if (p.text("parentFrameId", "world") != "world")
+    p.fail("parentFrameId", "must be world in this version");
   for (std::size_t i = 0; i < noise_.size(); ++i) {
     noise_[i].normal = threeNumbers(p, std::string("noiseNormal") + kQuantities[i]);
     noise_[i].uniform = threeNumbers(p, std::string("noiseUniform") + kQuantities[i]);
@@ -107,7 +114,8 @@ Vector3d OdometrySensor::draw(const VectorNoise& noise, std::int64_t step, int q
     constexpr std::uint64_t kUniformDraws = 12;  // behind the twelve normal ones
     sum[axis] = 0;
     if (noise.normal[axis] > 0) sum[axis] += noise.normal[axis] * random_.normal(at, i);
-    if (noise.uniform[axis] > 0) sum[axis] += noise.uniform[axis] * (2 * random_.uniform(at, kUniformDraws + i) - 1);
+    if (noise.uniform[axis] > 0)
+      sum[axis] += noise.uniform[axis] * (2 * random_.uniform(at, kUniformDraws + i) - 1);
   }
   return sum;
 }
@@ -116,7 +124,8 @@ Odometry OdometrySensor::sense(const Odometry& truth, std::int64_t step) const {
   if (!noisy_) return truth;
   Odometry out = truth;
   out.p_WB += draw(noise_[0], step, 0);
-  const Vector3d half = 0.5 * draw(noise_[1], step, 1);  // small angle: (1, theta/2), in the sensor's axes
+  const Vector3d half =
+      0.5 * draw(noise_[1], step, 1);  // small angle: (1, theta/2), in the sensor's axes
   out.q_WB = (out.q_WB * Eigen::Quaterniond(1, half.x(), half.y(), half.z())).normalized();
   out.v_WB_B += draw(noise_[2], step, 2);
   out.w_WB_B += draw(noise_[3], step, 3);
@@ -132,7 +141,8 @@ std::int64_t OdometryDelay::nextEvent(std::int64_t step) const {
 }
 
 std::optional<Odometry> OdometryDelay::at(std::int64_t step, const Odometry& truth) {
-  if (step % sensor_.period() == 0) waiting_.push_back({step + sensor_.delay(), sensor_.sense(truth, step)});
+  if (step % sensor_.period() == 0)
+    waiting_.push_back({step + sensor_.delay(), sensor_.sense(truth, step)});
   std::optional<Odometry> out;
   while (!waiting_.empty() && waiting_.front().due <= step) {
     out = waiting_.front().odometry;
@@ -144,7 +154,8 @@ std::optional<Odometry> OdometryDelay::at(std::int64_t step, const Odometry& tru
 void OdometryDelay::archive(StateArchive& archive) {
   auto count = static_cast<std::int64_t>(waiting_.size());
   archive(count);
-  if (count < 0 || count > 1000000) throw std::out_of_range("OdometryDelay: not a number of samples");
+  if (count < 0 || count > 1000000)
+    throw std::out_of_range("OdometryDelay: not a number of samples");
   waiting_.resize(static_cast<std::size_t>(count));
   for (Sample& s : waiting_) {
     archive(s.due);

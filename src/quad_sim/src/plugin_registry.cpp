@@ -20,12 +20,15 @@ struct Entry {
 
 Plugin* makeRotors(const VehicleModel& model, const WorldSettings& world) {
   const RotorsQuirks& q = world.quirks;
-  const bool quirky = q.thrust_lag || q.unchecked_commands || q.rolling_moment_sign || q.filter_survives_reset;
+  const bool quirky =
+      q.thrust_lag || q.unchecked_commands || q.rolling_moment_sign || q.filter_survives_reset;
   if (quirky) return new QuirkyRotorPlugin(model, world);
   return new RotorPlugin(model, world.step);
 }
 
-Plugin* makeWind(const VehicleModel& model, const WorldSettings& world) { return new WindPlugin(model, world); }
+Plugin* makeWind(const VehicleModel& model, const WorldSettings& world) {
+  return new WindPlugin(model, world);
+}
 
 /// The one place where a filename gets its meaning. An ordered map: messages list the names in the
 /// same order always.

@@ -1,8 +1,8 @@
 // The program quad_sim: simulate.
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -37,36 +37,52 @@ constexpr const char* kExample = R"(Example (from the workspace, after `make bui
 Exit codes: 0 done, 2 bad input, 4 diverged, 5 the output cannot be written.)";
 
 void addSimulate(CLI::App& app, SimulateArguments& a) {
-  CLI::App* simulate = app.add_subcommand("simulate", "Replay rotor-speed commands open loop and write the states.");
+  CLI::App* simulate =
+      app.add_subcommand("simulate", "Replay rotor-speed commands open loop and write the states.");
   simulate->footer(kExample);
   simulate->add_option("--urdf", a.urdf, "plain URDF of the vehicle")->required();
-  simulate->add_option("--commands", a.commands,
-                       "CSV t,w0,w1,... [s, rad/s]: a row is held until the next and acts from the first physics step that "
-                       "starts at or after its t; zero before the first")->required();
-  simulate->add_option("--out", a.out,
-                       "CSV to write: t, position and velocity of base_link in world axes, quaternion, body rates, rotor "
-                       "speeds")->required();
+  simulate
+      ->add_option("--commands", a.commands,
+                   "CSV t,w0,w1,... [s, rad/s]: a row is held until the next and acts from the "
+                   "first physics step that "
+                   "starts at or after its t; zero before the first")
+      ->required();
+  simulate
+      ->add_option("--out", a.out,
+                   "CSV to write: t, position and velocity of base_link in world axes, quaternion, "
+                   "body rates, rotor "
+                   "speeds")
+      ->required();
   simulate->add_option("--duration", a.duration, "[s], a whole number of steps")->required();
   simulate->add_option("--step", a.step, "physics step [s]")->capture_default_str();
-  simulate->add_option("--state", a.state, "CSV of one row, the output's columns without t: the start; "
-                                           "default (0, 0, 0.06) at rest, rotors still");
-  simulate->add_option("--every", a.every, "physics steps between rows; the last state is always written")
+  simulate->add_option("--state", a.state,
+                       "CSV of one row, the output's columns without t: the start; "
+                       "default (0, 0, 0.06) at rest, rotors still");
+  simulate
+      ->add_option("--every", a.every,
+                   "physics steps between rows; the last state is always written")
       ->capture_default_str();
   simulate->add_option("--gravity", a.gravity, "[m/s^2]")->capture_default_str();
-  simulate->add_option("--ground", a.ground, "contact plane at z = 0: on or off")->capture_default_str();
+  simulate->add_option("--ground", a.ground, "contact plane at z = 0: on or off")
+      ->capture_default_str();
   simulate->add_option("--mode", a.mode, "folded or hinged")->capture_default_str();
   simulate->add_option("--profile", a.profile, "default or rotors_compat")->capture_default_str();
-  simulate->add_option("--quirks", a.quirks, "of RotorS, to add to the default profile one by one: " +
-                                                 fmt::format("{}", fmt::join(quad_sim::RotorsQuirks::names(), ", ")))
+  simulate
+      ->add_option("--quirks", a.quirks,
+                   "of RotorS, to add to the default profile one by one: " +
+                       fmt::format("{}", fmt::join(quad_sim::RotorsQuirks::names(), ", ")))
       ->delimiter(',');
   simulate->add_option("--seed", a.seed, "of turbulence")->capture_default_str();
-  simulate->add_flag("--verbose", a.verbose, "also list the URDF's plugins that have no effect here");
+  simulate->add_flag("--verbose", a.verbose,
+                     "also list the URDF's plugins that have no effect here");
 }
 
 /// Which of two words an option says.
-bool isSecond(const std::string& option, const std::string& value, const std::string& first, const std::string& second) {
+bool isSecond(const std::string& option, const std::string& value, const std::string& first,
+              const std::string& second) {
   if (value != first && value != second) {
-    throw std::invalid_argument(fmt::format("{} {}; must be {} or {}", option, value, first, second));
+    throw std::invalid_argument(
+        fmt::format("{} {}; must be {} or {}", option, value, first, second));
   }
   return value == second;
 }
@@ -74,26 +90,31 @@ bool isSecond(const std::string& option, const std::string& value, const std::st
 std::int64_t countSteps(const SimulateArguments& a, std::int64_t step_ns) {
   constexpr double kLongest = 1e6;  // [s]
   if (!(a.duration >= 0) || a.duration > kLongest) {
-    throw std::invalid_argument(fmt::format("--duration {}; must lie in [0, {}] s", shortest(a.duration), kLongest));
+    throw std::invalid_argument(
+        fmt::format("--duration {}; must lie in [0, {}] s", shortest(a.duration), kLongest));
   }
   const std::int64_t duration_ns = std::llround(a.duration * 1e9);
   if (duration_ns % step_ns != 0) {
-    throw std::invalid_argument(fmt::format("--duration {} s; must be a whole number of steps of {} s",
-                                            shortest(a.duration), shortest(a.step)));
+    throw std::invalid_argument(
+        fmt::format("--duration {} s; must be a whole number of steps of {} s",
+                    shortest(a.duration), shortest(a.step)));
   }
   return duration_ns / step_ns;
 }
 
-/// The simulator, whose complaints about an option name the key of a configuration, in the words of the command line.
-quad_sim::Simulator makeSimulator(const quad_sim::VehicleModel& model, const quad_sim::SimulatorOptions& options) {
+/// The simulator, whose complaints about an option name the key of a configuration, in the words of
+/// the command line.
+quad_sim::Simulator makeSimulator(const quad_sim::VehicleModel& model,
+                                  const quad_sim::SimulatorOptions& options) {
   try {
     return quad_sim::Simulator(model, options);
   } catch (const std::invalid_argument& e) {
     const std::string text = e.what();
-    for (const auto& [key, option] : {std::pair<std::string, std::string>{"simulation.step = ", "--step "},
-                                      {"simulation.gravity = ", "--gravity "},
-                                      {"simulation.multibody = ", "--mode "},
-                                      {"simulation.profile = ", "--profile "}}) {
+    for (const auto& [key, option] :
+         {std::pair<std::string, std::string>{"simulation.step = ", "--step "},
+          {"simulation.gravity = ", "--gravity "},
+          {"simulation.multibody = ", "--mode "},
+          {"simulation.profile = ", "--profile "}}) {
       if (text.rfind(key, 0) == 0) throw std::invalid_argument(option + text.substr(key.size()));
     }
     throw;
@@ -107,8 +128,9 @@ int simulate(const SimulateArguments& a) {
   options.ground = isSecond("--ground", a.ground, "off", "on");
   options.multibody = isSecond("--mode", a.mode, "folded", "hinged") ? quad_sim::Multibody::kHinged
                                                                      : quad_sim::Multibody::kFolded;
-  options.profile = isSecond("--profile", a.profile, "default", "rotors_compat") ? quad_sim::Profile::kRotorsCompat
-                                                                                 : quad_sim::Profile::kDefault;
+  options.profile = isSecond("--profile", a.profile, "default", "rotors_compat")
+                        ? quad_sim::Profile::kRotorsCompat
+                        : quad_sim::Profile::kDefault;
   for (const std::string& name : a.quirks) {
     try {
       options.quirks.byName(name) = true;
@@ -121,7 +143,8 @@ int simulate(const SimulateArguments& a) {
 
   const quad_sim::VehicleModel model = quad_sim::loadVehicle(a.urdf);
   const std::size_t rotors = model.rotors.size();
-  for (const std::string& note : model.notes) std::fprintf(stderr, "quad_sim: note: %s\n", note.c_str());
+  for (const std::string& note : model.notes)
+    std::fprintf(stderr, "quad_sim: note: %s\n", note.c_str());
   if (a.verbose) {
     for (const std::string& plugin : quad_sim::ignoredPlugins(model)) {
       std::fprintf(stderr, "quad_sim: note: without effect here: %s\n", plugin.c_str());

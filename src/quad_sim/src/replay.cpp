@@ -17,15 +17,17 @@ using quad_support::CsvTable;
 using quad_support::DataError;
 
 std::vector<std::string> stateColumns(std::size_t rotors) {
-  std::vector<std::string> names = {"x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz"};
+  std::vector<std::string> names = {"x",  "y",  "z",  "qw", "qx", "qy", "qz",
+                                    "vx", "vy", "vz", "wx", "wy", "wz"};
   for (std::size_t i = 0; i < rotors; ++i) names.push_back(fmt::format("w{}", i));
   return names;
 }
 
-void checkColumns(const CsvTable& table, const std::vector<std::string>& wanted, const std::string& what) {
+void checkColumns(const CsvTable& table, const std::vector<std::string>& wanted,
+                  const std::string& what) {
   if (table.columns() == wanted) return;
-  throw DataError(fmt::format("{}: columns are {}; must be {}", what, fmt::join(table.columns(), ","),
-                              fmt::join(wanted, ",")));
+  throw DataError(fmt::format("{}: columns are {}; must be {}", what,
+                              fmt::join(table.columns(), ","), fmt::join(wanted, ",")));
 }
 
 void appendRow(const Simulator& simulator, VehicleState& state, std::string& csv) {
@@ -55,16 +57,17 @@ std::vector<TimedCommand> readCommands(const CsvTable& table, std::size_t rotors
     const double t = table.number(row, "t");
     constexpr double kLatest = 1e9;  // [s]; what fits the integer time with room to spare
     if (!(t >= 0) || t > kLatest) {
-      throw DataError(fmt::format("commands: row {}: t = {} s; must lie in [0, {}]", row + 1, quad_support::shortest(t),
-                                  quad_support::shortest(kLatest)));
+      throw DataError(fmt::format("commands: row {}: t = {} s; must lie in [0, {}]", row + 1,
+                                  quad_support::shortest(t), quad_support::shortest(kLatest)));
     }
     TimedCommand command;
     command.time_ns = std::llround(t * 1e9);
     if (!commands.empty() && command.time_ns <= commands.back().time_ns) {
-      throw DataError(fmt::format("commands: row {}: t = {} s; must be later than the row before", row + 1,
-                                  quad_support::shortest(t)));
+      throw DataError(fmt::format("commands: row {}: t = {} s; must be later than the row before",
+                                  row + 1, quad_support::shortest(t)));
     }
-    for (std::size_t i = 0; i < rotors; ++i) command.rotor_speed.push_back(table.number(row, wanted[i + 1]));
+    for (std::size_t i = 0; i < rotors; ++i)
+      command.rotor_speed.push_back(table.number(row, wanted[i + 1]));
     commands.push_back(command);
   }
   return commands;
@@ -80,12 +83,13 @@ VehicleState readState(const CsvTable& table, std::size_t rotors) {
   state.q_WB = Eigen::Quaterniond(get("qw"), get("qx"), get("qy"), get("qz"));
   state.v_WB = {get("vx"), get("vy"), get("vz")};
   state.w_WB_B = {get("wx"), get("wy"), get("wz")};
-  for (std::size_t i = 0; i < rotors; ++i) state.rotor_speed.push_back(table.number(0, fmt::format("w{}", i)));
+  for (std::size_t i = 0; i < rotors; ++i)
+    state.rotor_speed.push_back(table.number(0, fmt::format("w{}", i)));
   return state;
 }
 
-std::string replay(Simulator& simulator, const std::vector<TimedCommand>& commands, std::int64_t steps,
-                   std::int64_t every) {
+std::string replay(Simulator& simulator, const std::vector<TimedCommand>& commands,
+                   std::int64_t steps, std::int64_t every) {
   const std::size_t rotors = simulator.model().rotors.size();
   std::string csv = fmt::format("t,{}\n", fmt::join(stateColumns(rotors), ","));
   VehicleState state;

@@ -97,9 +97,8 @@ void RigidBody::archive(StateArchive& archive) {
   archive(const_cast<dReal*>(dBodyGetPosition(ode_->body)), 3);
   archive(const_cast<dReal*>(dBodyGetQuaternion(ode_->body)), 4);
   archive(const_cast<dReal*>(dBodyGetRotation(ode_->body)), 12);
-  for (Vector3d* v :
-       {&v_W_, &L_W_, &v_C_B_, &w_B_, &Pi_B_, &momentum_B_, &v_before_W_, &w_before_B_,
-        &ground_load_.force, &ground_load_.torque})
+  for (Vector3d* v : {&v_W_, &L_W_, &v_C_B_, &w_B_, &Pi_B_, &momentum_B_, &v_before_W_,
+                      &w_before_B_, &ground_load_.force, &ground_load_.torque})
     archive(*v);
 }
 

@@ -66,7 +66,8 @@ void RotorPlugin::stepAnyAxis(const StepInput& input, StepLoad& load) {
   }
 }
 
-/// The same with every axis along z, written out: what is zero then is left out, for this is the inner loop.
+/// The same with every axis along z, written out: what is zero then is left out, for this is the
+/// inner loop.
 void RotorPlugin::stepUpright(const StepInput& input, StepLoad& load) {
   const double vx = input.v_WC_B.x(), vy = input.v_WC_B.y();
   const double wx = input.w_WB_B.x(), wy = input.w_WB_B.y(), wz = input.w_WB_B.z();

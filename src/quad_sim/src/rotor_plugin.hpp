@@ -7,12 +7,13 @@
 
 namespace quad_sim {
 
-/// All rotors of a vehicle: speed lag, thrust, drag torque, H-force, rolling moment, angular momentum.
+/// All rotors of a vehicle: speed lag, thrust, drag torque, H-force, rolling moment, angular
+/// momentum.
 ///
-/// Over one step the command is constant, so the speed is w(t) = u + (w0 - u) exp(-t/tau) exactly; thrust uses the exact
-/// mean of w² over the step and the drag terms the exact mean of w. So the impulse does not depend on the step.
-/// Sources: thesis Eq. (1.1); H-force and rolling moment as in RotorS's motor model, the latter with the turning
-/// direction, which RotorS leaves out.
+/// Over one step the command is constant, so the speed is w(t) = u + (w0 - u) exp(-t/tau) exactly;
+/// thrust uses the exact mean of w² over the step and the drag terms the exact mean of w. So the
+/// impulse does not depend on the step. Sources: thesis Eq. (1.1); H-force and rolling moment as in
+/// RotorS's motor model, the latter with the turning direction, which RotorS leaves out.
 class RotorPlugin : public Plugin {
  public:
   RotorPlugin(const VehicleModel& model, double step);
@@ -29,14 +30,14 @@ class RotorPlugin : public Plugin {
     double end, mean, mean_square;
   };
   struct Rotor {
-    double speed;                ///< [rad/s], >= 0
+    double speed;  ///< [rad/s], >= 0
     Decay up, down;
-    Eigen::Vector3d hub_C;       ///< from the centre of mass [m]
+    Eigen::Vector3d hub_C;  ///< from the centre of mass [m]
     Eigen::Vector3d axis;
     Eigen::Vector3d thrust_force, thrust_torque;  ///< per w²: k_f e, and r x k_f e - s k_f ratio e
-    double drag;                 ///< [N s²/(m rad)]
-    double rolling;              ///< s * coefficient
-    Eigen::Vector3d momentum;    ///< per w: s J e
+    double drag;                                  ///< [N s²/(m rad)]
+    double rolling;                               ///< s * coefficient
+    Eigen::Vector3d momentum;                     ///< per w: s J e
   };
   static Decay decayOver(double step, double time_constant);
 

@@ -25,17 +25,22 @@ fs::path ownFolder() {
 }
 
 bool isNamespace(const std::string& text) {
-  const auto ok = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '/'; };
-  return !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) && text.back() != '/' &&
-         text.find("//") == std::string::npos && std::all_of(text.begin(), text.end(), ok);
+  const auto ok = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '/';
+  };
+  return !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) &&
+         text.back() != '/' && text.find("//") == std::string::npos &&
+         std::all_of(text.begin(), text.end(), ok);
 }
 
 void readVehicle(const ConfigReader& in, SimulationConfig& config) {
   const std::string urdf = in.text("urdf");
   config.urdf = findUrdf(urdf, fs::path(in.resolvePath("x")).parent_path().string());
   if (config.urdf.empty()) {
-    in.fail("urdf", "is neither beside this file nor among the built or installed models; give a path to a plain URDF "
-                    "(build/urdf/hummingbird.urdf is made by `make build`)");
+    in.fail("urdf",
+            "is neither beside this file nor among the built or installed models; give a path to a "
+            "plain URDF "
+            "(build/urdf/hummingbird.urdf is made by `make build`)");
   }
   config.vehicle_namespace = in.text("namespace");
   if (!isNamespace(config.vehicle_namespace)) {
@@ -50,20 +55,24 @@ void readSimulation(const ConfigReader& in, SimulationConfig& config) {
   SimulatorOptions& o = config.options;
   o.step = in.number("step", Range{1e-9, 1.0, false, false, "s"});
   const double ns = o.step * 1e9;
-  if (std::abs(ns - std::round(ns)) > 1e-6) in.fail("step", "must be a whole number of nanoseconds");
+  if (std::abs(ns - std::round(ns)) > 1e-6)
+    in.fail("step", "must be a whole number of nanoseconds");
   o.gravity = in.number("gravity", Range::closed(0.0, 1000.0, "m/s^2"));
   const bool hinged = in.choice("multibody", {"folded", "hinged"}) == "hinged";
   o.multibody = hinged ? Multibody::kHinged : Multibody::kFolded;
   const bool compat = in.choice("profile", {"default", "rotors_compat"}) == "rotors_compat";
   o.profile = compat ? Profile::kRotorsCompat : Profile::kDefault;
   if (in.has("quirks")) {
-    for (const std::string& name : in.choices("quirks", RotorsQuirks::names())) o.quirks.byName(name) = true;
+    for (const std::string& name : in.choices("quirks", RotorsQuirks::names()))
+      o.quirks.byName(name) = true;
   }
-  if (in.has("seed")) o.seed = static_cast<std::uint64_t>(in.number("seed", Range::closed(0, 4294967295.0, "")));
+  if (in.has("seed"))
+    o.seed = static_cast<std::uint64_t>(in.number("seed", Range::closed(0, 4294967295.0, "")));
   o.ground = in.boolean("ground");
   config.wind = readWind(in);
   config.initial_altitude = in.number("initial_altitude", Range::any("m"));
-  if (o.ground && config.initial_altitude < 0) in.fail("initial_altitude", "must be >= 0 m above the ground");
+  if (o.ground && config.initial_altitude < 0)
+    in.fail("initial_altitude", "must be >= 0 m above the ground");
   in.finish();
 }
 

@@ -182,7 +182,8 @@ Eigen::Vector3d PluginDeclaration::vector(const std::string& tag) const {
   return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
 }
 
-Eigen::Vector3d PluginDeclaration::vector(const std::string& tag, const Eigen::Vector3d& fallback) const {
+Eigen::Vector3d PluginDeclaration::vector(const std::string& tag,
+                                          const Eigen::Vector3d& fallback) const {
   return tags.count(tag) ? vector(tag) : fallback;
 }
 

@@ -1,8 +1,7 @@
 #include <console_bridge/console.h>
+#include <fmt/core.h>
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
-
-#include <fmt/core.h>
 
 #include <mutex>
 
@@ -37,8 +36,9 @@ Eigen::Isometry3d toIsometry(const urdf::Pose& pose) {
 
 bool isBaseName(const std::string& name) {
   static const std::string suffix = "/base_link";
-  return name == "base_link" || (name.size() > suffix.size() &&
-                                 name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0);
+  return name == "base_link" ||
+         (name.size() > suffix.size() &&
+          name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0);
 }
 
 LinkRecord toRecord(const urdf::Link& link) {
@@ -69,8 +69,8 @@ LinkRecord toRecord(const urdf::Link& link) {
 }
 
 /// Walks the tree from `link`, whose frame in the root is X_RL.
-void collect(const urdf::Link& link, const Eigen::Isometry3d& X_RL, int rigid_group, int& groups, UrdfTree& tree,
-             std::vector<int>& group_of) {
+void collect(const urdf::Link& link, const Eigen::Isometry3d& X_RL, int rigid_group, int& groups,
+             UrdfTree& tree, std::vector<int>& group_of) {
   LinkRecord record = toRecord(link);
   record.X_BL = X_RL;
   tree.links.push_back(record);
@@ -78,12 +78,13 @@ void collect(const urdf::Link& link, const Eigen::Isometry3d& X_RL, int rigid_gr
   for (const urdf::JointSharedPtr& joint : link.child_joints) {
     const bool fixed = joint->type == urdf::Joint::FIXED;
     const bool free = joint->type == urdf::Joint::CONTINUOUS;
-    tree.joints.push_back({joint->name, joint->child_link_name, free || joint->type == urdf::Joint::REVOLUTE, free,
+    tree.joints.push_back({joint->name, joint->child_link_name,
+                           free || joint->type == urdf::Joint::REVOLUTE, free,
                            Eigen::Vector3d(joint->axis.x, joint->axis.y, joint->axis.z)});
     for (const urdf::LinkSharedPtr& child : link.child_links) {
       if (child->name != joint->child_link_name) continue;
-      collect(*child, X_RL * toIsometry(joint->parent_to_joint_origin_transform), fixed ? rigid_group : ++groups,
-              groups, tree, group_of);
+      collect(*child, X_RL * toIsometry(joint->parent_to_joint_origin_transform),
+              fixed ? rigid_group : ++groups, groups, tree, group_of);
     }
   }
 }
@@ -101,7 +102,8 @@ UrdfTree readTree(const std::string& urdf_text, const std::string& file) {
     throw quad_support::ConfigError(fmt::format("{}: not a valid URDF: {}", file, e.what()));
   }
   if (!model || !model->getRoot()) {
-    throw quad_support::ConfigError(fmt::format("{}: not a valid URDF: {}", file, complaints.text()));
+    throw quad_support::ConfigError(
+        fmt::format("{}: not a valid URDF: {}", file, complaints.text()));
   }
   UrdfTree tree;
   tree.robot = model->getName();

@@ -24,35 +24,44 @@ using quad_support::shortest;
 struct Source {
   const std::string& text;
   const std::string& file;
-  [[noreturn]] void fail(const std::string& tag, const std::string& name, const std::string& problem) const {
-    throw ConfigError(fmt::format("{}: {} '{}': {}", locate(text, file, tag, name), tag, name, problem));
+  [[noreturn]] void fail(const std::string& tag, const std::string& name,
+                         const std::string& problem) const {
+    throw ConfigError(
+        fmt::format("{}: {} '{}': {}", locate(text, file, tag, name), tag, name, problem));
   }
 };
 
 template <class Record>
 const Record* findByName(const std::vector<Record>& records, const std::string& name) {
-  const auto it = std::find_if(records.begin(), records.end(), [&](const Record& r) { return r.name == name; });
+  const auto it =
+      std::find_if(records.begin(), records.end(), [&](const Record& r) { return r.name == name; });
   return it == records.end() ? nullptr : &*it;
 }
 
-bool isPositiveDefinite(const Eigen::Matrix3d& m) { return m.allFinite() && m.llt().info() == Eigen::Success; }
+bool isPositiveDefinite(const Eigen::Matrix3d& m) {
+  return m.allFinite() && m.llt().info() == Eigen::Success;
+}
 
-/// No distribution of mass has a principal moment above the sum of the two others; a flat plate has them equal. Returns what is
-/// odd about the link, empty if nothing is.
+/// No distribution of mass has a principal moment above the sum of the two others; a flat plate has
+/// them equal. Returns what is odd about the link, empty if nothing is.
 std::string checkPrincipalMoments(const LinkRecord& link, const Source& source) {
-  // URDFs print moments to three digits or more: half a unit in the third of each of the three, 5e-4 of the largest,
-  // may break the equality of a plate.
+  // URDFs print moments to three digits or more: half a unit in the third of each of the three,
+  // 5e-4 of the largest, may break the equality of a plate.
   constexpr double kPrinted = 3 * 5e-4;
-  // RotorS's Firefly and Iris have moments that break it by 21 %, and must fly; beyond a quarter it is a typing error.
+  // RotorS's Firefly and Iris have moments that break it by 21 %, and must fly; beyond a quarter it
+  // is a typing error.
   constexpr double kTolerated = 1.25;
-  const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(link.inertia_L).eigenvalues();
+  const Eigen::Vector3d moments =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(link.inertia_L).eigenvalues();
   const double sum = moments[0] + moments[1];
   if (moments[2] <= sum + kPrinted * moments[2]) return "";
-  const std::string problem = fmt::format("no body has the principal moments of inertia {:.6g}, {:.6g} and {:.6g} kg m^2: the "
-                                          "largest must be <= the sum of the two others (triangle inequality)",
-                                          moments[0], moments[1], moments[2]);
+  const std::string problem = fmt::format(
+      "no body has the principal moments of inertia {:.6g}, {:.6g} and {:.6g} kg m^2: the "
+      "largest must be <= the sum of the two others (triangle inequality)",
+      moments[0], moments[1], moments[2]);
   if (moments[2] > kTolerated * sum) source.fail("link", link.name, problem);
-  return fmt::format("{}: link '{}': {}; taken as it stands", locate(source.text, source.file, "link", link.name), link.name, problem);
+  return fmt::format("{}: link '{}': {}; taken as it stands",
+                     locate(source.text, source.file, "link", link.name), link.name, problem);
 }
 
 std::vector<std::string> checkLinks(const UrdfTree& tree, const Source& source) {
@@ -68,15 +77,18 @@ std::vector<std::string> checkLinks(const UrdfTree& tree, const Source& source) 
   return notes;
 }
 
-double positive(const PluginDeclaration& p, const std::string& tag, double fallback, bool zero_allowed) {
+double positive(const PluginDeclaration& p, const std::string& tag, double fallback,
+                bool zero_allowed) {
   const double value = p.number(tag, fallback);
-  if (zero_allowed ? value < 0 : value <= 0) p.fail(tag, zero_allowed ? "must be >= 0" : "must be > 0");
+  if (zero_allowed ? value < 0 : value <= 0)
+    p.fail(tag, zero_allowed ? "must be >= 0" : "must be > 0");
   return value;
 }
 
 int motorNumber(const PluginDeclaration& p) {
   const double value = p.number("motorNumber");
-  constexpr int kMaxRotors = 64;  // more than any vehicle has; keeps a typing error from asking for gigabytes
+  constexpr int kMaxRotors =
+      64;  // more than any vehicle has; keeps a typing error from asking for gigabytes
   if (value != std::floor(value) || value < 0 || value >= kMaxRotors) {
     p.fail("motorNumber", fmt::format("must be a whole number in 0..{}", kMaxRotors - 1));
   }
@@ -99,7 +111,8 @@ RotorModel readRotorNumbers(const PluginDeclaration& p) {
   rotor.link = p.text("linkName");
   rotor.spin = spinOf(p);
   const std::string type = p.text("motorType", "velocity");
-  if (type != "velocity") p.fail("motorType", "must be velocity: position and force motors are not modelled");
+  if (type != "velocity")
+    p.fail("motorType", "must be velocity: position and force motors are not modelled");
   rotor.thrust_coefficient = positive(p, "motorConstant", 8.54858e-06, false);
   rotor.torque_ratio = positive(p, "momentConstant", 0.016, true);
   rotor.time_constant_up = positive(p, "timeConstantUp", 1.0 / 80.0, false);
@@ -116,7 +129,8 @@ RotorModel readRotor(const PluginDeclaration& p, const UrdfTree& tree) {
   const JointRecord* joint = findByName(tree.joints, rotor.joint);
   if (!joint) p.fail("jointName", "names no joint of the robot");
   if (!joint->turns) p.fail("jointName", "must name a continuous or revolute joint");
-  if (joint->child != rotor.link) p.fail("linkName", fmt::format("must be {}, the joint's child", joint->child));
+  if (joint->child != rotor.link)
+    p.fail("linkName", fmt::format("must be {}, the joint's child", joint->child));
   const LinkRecord* link = findByName(tree.links, rotor.link);
   if (!link || !link->has_inertia) p.fail("linkName", "must name a link with an inertial element");
   rotor.position_B = link->X_BL * link->com_L;
@@ -131,7 +145,8 @@ RotorModel readRotor(const PluginDeclaration& p, const UrdfTree& tree) {
   return rotor;
 }
 
-/// "motor number 1 is missing: there are 0, 2, 3"; `rotors` by motor number, all different. Empty without a gap.
+/// "motor number 1 is missing: there are 0, 2, 3"; `rotors` by motor number, all different. Empty
+/// without a gap.
 std::string missingNumber(const std::vector<RotorModel>& rotors) {
   std::string numbers;
   int missing = 0;
@@ -144,41 +159,50 @@ std::string missingNumber(const std::vector<RotorModel>& rotors) {
 }
 
 /// Every freely turning joint needs a motor, and the motors' numbers must be 0, 1, ... without gap.
-void checkMotors(const std::vector<RotorModel>& rotors, const std::vector<PluginDeclaration>& plugins,
-                 const UrdfTree& tree, const Source& source) {
+void checkMotors(const std::vector<RotorModel>& rotors,
+                 const std::vector<PluginDeclaration>& plugins, const UrdfTree& tree,
+                 const Source& source) {
   const std::string gap = missingNumber(rotors);
   for (const JointRecord& joint : tree.joints) {
     const auto drives = [&](const RotorModel& rotor) { return rotor.joint == joint.name; };
     if (!joint.free || std::any_of(rotors.begin(), rotors.end(), drives)) continue;
-    source.fail("joint", joint.name,
-                fmt::format("no motor plugin drives it and its link '{}'; {}. Declare one, or make the joint fixed", joint.child,
-                            gap.empty() ? fmt::format("motor numbers 0..{} are other joints'", rotors.size() - 1) : gap));
+    source.fail(
+        "joint", joint.name,
+        fmt::format(
+            "no motor plugin drives it and its link '{}'; {}. Declare one, or make the joint fixed",
+            joint.child,
+            gap.empty() ? fmt::format("motor numbers 0..{} are other joints'", rotors.size() - 1)
+                        : gap));
   }
   if (gap.empty()) return;
   for (const PluginDeclaration& p : plugins) {
     if (!isMotor(p) || motorNumber(p) != rotors.back().motor_number) continue;
-    p.fail("motorNumber", fmt::format("leaves a gap: {}; {} rotors are numbered 0..{}", gap, rotors.size(), rotors.size() - 1));
+    p.fail("motorNumber", fmt::format("leaves a gap: {}; {} rotors are numbered 0..{}", gap,
+                                      rotors.size(), rotors.size() - 1));
   }
 }
 
-std::vector<RotorModel> readRotors(const std::vector<PluginDeclaration>& plugins, const UrdfTree& tree,
-                                   const Source& source) {
+std::vector<RotorModel> readRotors(const std::vector<PluginDeclaration>& plugins,
+                                   const UrdfTree& tree, const Source& source) {
   std::vector<RotorModel> rotors;
   for (const PluginDeclaration& p : plugins) {
     if (!isMotor(p)) continue;
     rotors.push_back(readRotor(p, tree));
     for (std::size_t i = 0; i + 1 < rotors.size(); ++i) {
       const RotorModel& other = rotors[i];
-      if (other.motor_number == rotors.back().motor_number) p.fail("motorNumber", "is taken by joint " + other.joint);
+      if (other.motor_number == rotors.back().motor_number)
+        p.fail("motorNumber", "is taken by joint " + other.joint);
       if (other.link == rotors.back().link) p.fail("linkName", "is driven by another motor plugin");
     }
   }
   if (rotors.empty()) {
     throw ConfigError(source.file +
-                      ": no rotor; declare one <gazebo><plugin filename=\"librotors_gazebo_motor_model.so\"> each");
+                      ": no rotor; declare one <gazebo><plugin "
+                      "filename=\"librotors_gazebo_motor_model.so\"> each");
   }
-  std::sort(rotors.begin(), rotors.end(),
-            [](const RotorModel& a, const RotorModel& b) { return a.motor_number < b.motor_number; });
+  std::sort(rotors.begin(), rotors.end(), [](const RotorModel& a, const RotorModel& b) {
+    return a.motor_number < b.motor_number;
+  });
   checkMotors(rotors, plugins, tree, source);
   return rotors;
 }
@@ -192,18 +216,21 @@ SensorModel readSensor(const PluginDeclaration& p, const UrdfTree& tree) {
   const LinkRecord* link = findByName(tree.links, sensor.link);
   if (!link) p.fail("linkName", "names no link of the robot");
   sensor.X_BS = link->X_BL;
-  sensor.X_BS.translation() = link->X_BL * link->com_L;  // RotorS measures at the link's centre of mass
+  sensor.X_BS.translation() =
+      link->X_BL * link->com_L;  // RotorS measures at the link's centre of mass
   sensor.topic = imu ? p.text("imuTopic", "imu") : p.text("odometryTopic", "odometry");
   sensor.frame = imu ? sensor.link : p.text("childFrameId", sensor.link);
   return sensor;
 }
 
-/// A link's own inertia about its centre of mass in body axes; a rotor's is the physical one, averaged over a turn.
+/// A link's own inertia about its centre of mass in body axes; a rotor's is the physical one,
+/// averaged over a turn.
 Eigen::Matrix3d inertiaOf(const LinkRecord& link, const std::vector<RotorModel>& rotors) {
   for (const RotorModel& rotor : rotors) {
     if (rotor.link != link.name) continue;
     return rotor.transverse_inertia * Eigen::Matrix3d::Identity() +
-           (rotor.axial_inertia - rotor.transverse_inertia) * rotor.axis_B * rotor.axis_B.transpose();
+           (rotor.axial_inertia - rotor.transverse_inertia) * rotor.axis_B *
+               rotor.axis_B.transpose();
   }
   return link.X_BL.linear() * link.inertia_L * link.X_BL.linear().transpose();
 }
@@ -214,7 +241,8 @@ Eigen::Matrix3d steiner(double mass, const Eigen::Vector3d& r) {
 }
 
 /// Sums mass, first moment and inertia about base_link's origin, then moves to the centre of mass.
-void sumUp(const UrdfTree& tree, std::optional<double> total_mass, const std::string& file, VehicleModel& model) {
+void sumUp(const UrdfTree& tree, std::optional<double> total_mass, const std::string& file,
+           VehicleModel& model) {
   double mass = 0, base_mass = 0;
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
@@ -226,10 +254,12 @@ void sumUp(const UrdfTree& tree, std::optional<double> total_mass, const std::st
     moment += link.mass * r;
     inertia += inertiaOf(link, model.rotors) + steiner(link.mass, r);
   }
-  if (total_mass) {  // a point mass at base_link's origin: adds to neither the first moment nor the inertia about it
+  if (total_mass) {  // a point mass at base_link's origin: adds to neither the first moment nor the
+                     // inertia about it
     if (!(*total_mass > 0) || !(base_mass + *total_mass - mass > 0)) {
-      throw ConfigError(fmt::format("{}: total mass {} kg; must be > {:.6g} kg, what the links beside {} weigh", file,
-                                    shortest(*total_mass), mass - base_mass, tree.base_link));
+      throw ConfigError(
+          fmt::format("{}: total mass {} kg; must be > {:.6g} kg, what the links beside {} weigh",
+                      file, shortest(*total_mass), mass - base_mass, tree.base_link));
     }
     mass = *total_mass;
   }
@@ -239,7 +269,8 @@ void sumUp(const UrdfTree& tree, std::optional<double> total_mass, const std::st
   model.inertia_B = inertia - steiner(mass, model.com_B);
   model.inertia_B = (0.5 * (model.inertia_B + model.inertia_B.transpose())).eval();
   if (!isPositiveDefinite(model.inertia_B)) {
-    throw ConfigError(file + ": the vehicle's inertia about its centre of mass is not positive definite");
+    throw ConfigError(file +
+                      ": the vehicle's inertia about its centre of mass is not positive definite");
   }
 }
 
@@ -252,7 +283,8 @@ std::string jointTo(const std::string& link, const UrdfTree& tree) {
 
 }  // namespace
 
-VehicleModel parseVehicle(const std::string& urdf_text, const std::string& name, std::optional<double> total_mass) {
+VehicleModel parseVehicle(const std::string& urdf_text, const std::string& name,
+                          std::optional<double> total_mass) {
   const Source source{urdf_text, name};
   VehicleModel model;
   model.plugins = readPlugins(urdf_text, name);  // first: it says the line of malformed XML
@@ -267,10 +299,12 @@ VehicleModel parseVehicle(const std::string& urdf_text, const std::string& name,
   model.rotors = readRotors(model.plugins, tree, source);
   sumUp(tree, total_mass, name, model);
   for (const LinkRecord& link : tree.links) {
-    model.links.push_back({link.name, jointTo(link.name, tree), link.on_base, link.mass, link.X_BL, link.com_L, link.inertia_L});
+    model.links.push_back({link.name, jointTo(link.name, tree), link.on_base, link.mass, link.X_BL,
+                           link.com_L, link.inertia_L});
     if (!link.on_base) continue;
     for (const CollisionBox& box : link.boxes) {
-      if (!(box.size.minCoeff() > 0)) source.fail("link", link.name, "a collision box has a side that is not > 0");
+      if (!(box.size.minCoeff() > 0))
+        source.fail("link", link.name, "a collision box has a side that is not > 0");
       model.boxes.push_back({box.size, link.X_BL * box.X_BC});
     }
   }
@@ -287,12 +321,16 @@ double hoverSpeed(const VehicleModel& model, double gravity) {
     lift += rotor.thrust_coefficient * rotor.axis_B.z();
     max_speed = std::min(max_speed, rotor.max_speed);
   }
-  if (!(lift > 0)) throw std::invalid_argument(model.name + ": the rotors' thrust does not point up, so it cannot hover");
+  if (!(lift > 0))
+    throw std::invalid_argument(model.name +
+                                ": the rotors' thrust does not point up, so it cannot hover");
   const double speed = std::sqrt(model.mass * gravity / lift);
   if (speed > max_speed) {
-    throw std::invalid_argument(fmt::format(
-        "{}: hovering with {} kg takes {:.6g} rad/s, but the rotors turn at most {} rad/s, which carries {:.4g} kg", model.name,
-        shortest(model.mass), speed, shortest(max_speed), lift * max_speed * max_speed / gravity));
+    throw std::invalid_argument(
+        fmt::format("{}: hovering with {} kg takes {:.6g} rad/s, but the rotors turn at most {} "
+                    "rad/s, which carries {:.4g} kg",
+                    model.name, shortest(model.mass), speed, shortest(max_speed),
+                    lift * max_speed * max_speed / gravity));
   }
   return speed;
 }

@@ -24,7 +24,8 @@ void* __libc_calloc(std::size_t number, std::size_t size);
 void* __libc_realloc(void* old, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 
-// A program's own definition comes before the libraries', for their calls too; what it gives, glibc's free takes back.
+// A program's own definition comes before the libraries', for their calls too; what it gives,
+// glibc's free takes back.
 void* malloc(std::size_t size) {
   note();
   return __libc_malloc(size);
@@ -47,7 +48,8 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) {
 }
 int posix_memalign(void** result, std::size_t alignment, std::size_t size) {
   note();
-  if (alignment % sizeof(void*) != 0 || alignment == 0 || (alignment & (alignment - 1)) != 0) return EINVAL;
+  if (alignment % sizeof(void*) != 0 || alignment == 0 || (alignment & (alignment - 1)) != 0)
+    return EINVAL;
   void* const p = __libc_memalign(alignment, size);
   if (p == nullptr) return ENOMEM;
   *result = p;

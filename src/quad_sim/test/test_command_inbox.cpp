@@ -12,12 +12,14 @@ namespace quad_sim {
 namespace {
 
 TEST(CommandInbox, AHugeTimeoutWaitsForTheCommand) {
-  // Added to the clock as they are, these overflow its nanoseconds, and the wait is over before it begins.
+  // Added to the clock as they are, these overflow its nanoseconds, and the wait is over before it
+  // begins.
   for (const double timeout : {1e10, 1e300, std::numeric_limits<double>::infinity()}) {
     SCOPED_TRACE(timeout);
     CommandInbox inbox;
     std::thread controller([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // so that the wait has begun; the answer is the same if not
+      std::this_thread::sleep_for(std::chrono::milliseconds(
+          20));  // so that the wait has begun; the answer is the same if not
       inbox.put(7, {{1, 2, 3, 4}, ""});
     });
     const auto command = inbox.waitFor(7, timeout);

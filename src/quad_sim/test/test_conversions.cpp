@@ -1,8 +1,8 @@
 // Messages and back.
 #include <gtest/gtest.h>
 
-#include "quad_sim_ros/conversions.hpp"
 #include "hummingbird.hpp"
+#include "quad_sim_ros/conversions.hpp"
 #include "quad_support/errors.hpp"
 
 namespace quad_sim {

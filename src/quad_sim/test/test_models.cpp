@@ -108,7 +108,8 @@ TEST(RotorsStyle, PluginsWithoutEffectAreListedOnce) {
         "<gazebo><plugin filename=\"librotors_gazebo_gps_plugin.so\" name=\"{}\"/></gazebo>", name);
   }
   const VehicleModel m = styled(firefly);
-  EXPECT_THAT(ignoredPlugins(m), testing::ElementsAre("librotors_gazebo_gps_plugin.so (gps, gps2)"));
+  EXPECT_THAT(ignoredPlugins(m),
+              testing::ElementsAre("librotors_gazebo_gps_plugin.so (gps, gps2)"));
   EXPECT_EQ(pluginRole(m.plugins[0]), PluginRole::kOutside);
 }
 

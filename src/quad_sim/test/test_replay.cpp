@@ -26,7 +26,8 @@ Simulator atRest(double step = 0.001) {
 }
 
 CsvTable run(Simulator& s, const std::string& commands, std::int64_t steps, std::int64_t every) {
-  return CsvTable::parse(replay(s, readCommands(CsvTable::parse(commands, "c.csv"), 4), steps, every), "out");
+  return CsvTable::parse(
+      replay(s, readCommands(CsvTable::parse(commands, "c.csv"), 4), steps, every), "out");
 }
 
 TEST(Replay, RowsRunFromZeroToTheEndInclusive) {
@@ -43,8 +44,8 @@ TEST(Replay, ACommandActsFromTheFirstStepAtOrAfterItsTime) {
   Simulator s = atRest();
   const CsvTable out = run(s, "t,w0,w1,w2,w3\n0.0015,100,0,0,0\n0.003,0,100,0,0\n", 5, 1);
   const double up = 100 * (1 - std::exp(-0.001 / 0.0125));
-  EXPECT_EQ(out.number(2, "w0"), 0);              // at 2 ms: nothing has acted yet
-  EXPECT_NEAR(out.number(3, "w0"), up, 1e-13);    // the step from 2 to 3 ms
+  EXPECT_EQ(out.number(2, "w0"), 0);            // at 2 ms: nothing has acted yet
+  EXPECT_NEAR(out.number(3, "w0"), up, 1e-13);  // the step from 2 to 3 ms
   EXPECT_EQ(out.number(3, "w1"), 0);
   EXPECT_NEAR(out.number(4, "w1"), up, 1e-13);
   EXPECT_LT(out.number(4, "w0"), up);
@@ -52,11 +53,13 @@ TEST(Replay, ACommandActsFromTheFirstStepAtOrAfterItsTime) {
 
 TEST(Replay, StatesReadBackAsTheSameBits) {
   Simulator s = atRest();
-  std::string csv = replay(s, readCommands(CsvTable::parse("t,w0,w1,w2,w3\n0,460,470,465,480\n", "c"), 4), 300, 300);
+  std::string csv = replay(
+      s, readCommands(CsvTable::parse("t,w0,w1,w2,w3\n0,460,470,465,480\n", "c"), 4), 300, 300);
   // The last row without t is a state file.
   const std::string header = csv.substr(2, csv.find('\n') - 1);
   const std::string last = csv.substr(csv.rfind('\n', csv.size() - 2) + 1);
-  const VehicleState back = readState(CsvTable::parse(header + last.substr(last.find(',') + 1), "s"), 4);
+  const VehicleState back =
+      readState(CsvTable::parse(header + last.substr(last.find(',') + 1), "s"), 4);
   const VehicleState now = s.state();
   EXPECT_EQ(back.p_WB, now.p_WB);
   EXPECT_EQ(back.q_WB.coeffs(), now.q_WB.coeffs());
@@ -67,10 +70,12 @@ TEST(Replay, StatesReadBackAsTheSameBits) {
 
 TEST(Replay, BadTablesAreNamed) {
   const auto says = [](const std::string& text) {
-    return complaint<quad_support::DataError>([&] { readCommands(CsvTable::parse(text, "c.csv"), 4); });
+    return complaint<quad_support::DataError>(
+        [&] { readCommands(CsvTable::parse(text, "c.csv"), 4); });
   };
   EXPECT_THAT(says("t,w0,w1,w2\n"), HasSubstr("must be t,w0,w1,w2,w3"));
-  EXPECT_THAT(says("t,w0,w1,w2,w3\n0,1,1,1,1\n0,1,1,1,1\n"), HasSubstr("row 2: t = 0 s; must be later"));
+  EXPECT_THAT(says("t,w0,w1,w2,w3\n0,1,1,1,1\n0,1,1,1,1\n"),
+              HasSubstr("row 2: t = 0 s; must be later"));
   EXPECT_THAT(says("t,w0,w1,w2,w3\n-1,1,1,1,1\n"), HasSubstr("t = -1 s"));
   EXPECT_THAT(says("t,w0,w1,w2,w3\n0,1,x,1,1\n"), HasSubstr("w1"));
 }
@@ -86,13 +91,15 @@ class Program : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   int call(const std::string& arguments) const {
-    const std::string line = std::string(QUAD_SIM_PROGRAM) + " " + arguments + " >" + path("stdout") + " 2>" + path("stderr");
+    const std::string line = std::string(QUAD_SIM_PROGRAM) + " " + arguments + " >" +
+                             path("stdout") + " 2>" + path("stderr");
     const int status = std::system(line.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
   std::string errors() const { return quad_support::readFile(path("stderr")); }
   std::string usual() const {
-    return "simulate --urdf " + hummingbirdPath() + " --commands " + path("c.csv") + " --out " + path("o.csv");
+    return "simulate --urdf " + hummingbirdPath() + " --commands " + path("c.csv") + " --out " +
+           path("o.csv");
   }
   fs::path folder_;
 };
@@ -110,8 +117,10 @@ TEST_F(Program, ASeedPicksTheTurbulence) {
          <turbulenceIntensity>1 1 1</turbulenceIntensity><turbulenceLength>50 50 50</turbulenceLength></plugin></gazebo></robot>)";
   std::ofstream(path("gusty.urdf")) << replaced(hummingbirdText(), "</robot>", wind);
   const auto states = [&](const std::string& seed) {
-    EXPECT_EQ(call("simulate --urdf " + path("gusty.urdf") + " --commands " + path("c.csv") + " --out " + path("o.csv") +
-                   " --duration 0.5 --every 100" + seed), 0) << errors();
+    EXPECT_EQ(call("simulate --urdf " + path("gusty.urdf") + " --commands " + path("c.csv") +
+                   " --out " + path("o.csv") + " --duration 0.5 --every 100" + seed),
+              0)
+        << errors();
     return quad_support::readFile(path("o.csv"));
   };
   EXPECT_EQ(states(" --seed 7"), states(" --seed 7"));
@@ -120,8 +129,10 @@ TEST_F(Program, ASeedPicksTheTurbulence) {
 }
 
 TEST_F(Program, PluginsWithoutEffectAreListedOnRequest) {
-  std::ofstream(path("gps.urdf")) << replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "librotors_gazebo_gps_plugin.so");
-  const std::string with_gps = "simulate --urdf " + path("gps.urdf") + " --commands " + path("c.csv") + " --out " + path("o.csv");
+  std::ofstream(path("gps.urdf")) << replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so",
+                                              "librotors_gazebo_gps_plugin.so");
+  const std::string with_gps = "simulate --urdf " + path("gps.urdf") + " --commands " +
+                               path("c.csv") + " --out " + path("o.csv");
   ASSERT_EQ(call(with_gps + " --duration 0.1"), 0) << errors();
   EXPECT_EQ(errors(), "");
   ASSERT_EQ(call(with_gps + " --duration 0.1 --verbose"), 0) << errors();
@@ -138,8 +149,10 @@ TEST_F(Program, BadInputIsExitTwoAndLeavesNoFile) {
       {usual() + " --duration 1 --step 0", "quad_sim: --step 0 s; must be a whole number"},
       {usual() + " --duration 1 --gravity -1", "quad_sim: --gravity -1 m/s^2; must be >= 0"},
       {usual() + " --duration 1 --mode loose", "quad_sim: --mode loose; must be folded or hinged"},
-      {usual() + " --duration 1 --profile gazebo", "quad_sim: --profile gazebo; must be default or rotors_compat"},
-      {usual() + " --duration 1 --quirks thrust_lag,wobble", "quad_sim: --quirks wobble; must be one of thrust_lag, "},
+      {usual() + " --duration 1 --profile gazebo",
+       "quad_sim: --profile gazebo; must be default or rotors_compat"},
+      {usual() + " --duration 1 --quirks thrust_lag,wobble",
+       "quad_sim: --quirks wobble; must be one of thrust_lag, "},
       {usual() + " --duration 1 --state " + path("nothing.csv"), "nothing.csv"},
       {"fly", "--help"},
   };
@@ -152,13 +165,15 @@ TEST_F(Program, BadInputIsExitTwoAndLeavesNoFile) {
 }
 
 TEST_F(Program, AnUnwritablePlaceIsExitFive) {
-  EXPECT_EQ(call("simulate --urdf " + hummingbirdPath() + " --commands " + path("c.csv") + " --duration 0.1 --out " +
-                 path("no/such/o.csv")), 5);
+  EXPECT_EQ(call("simulate --urdf " + hummingbirdPath() + " --commands " + path("c.csv") +
+                 " --duration 0.1 --out " + path("no/such/o.csv")),
+            5);
 }
 
 TEST_F(Program, HelpShowsAnExample) {
   EXPECT_EQ(call("simulate --help"), 0);
-  EXPECT_THAT(quad_support::readFile(path("stdout")), HasSubstr("--urdf build/urdf/hummingbird.urdf"));
+  EXPECT_THAT(quad_support::readFile(path("stdout")),
+              HasSubstr("--urdf build/urdf/hummingbird.urdf"));
 }
 
 }  // namespace

@@ -17,8 +17,9 @@ struct Outcome {
 };
 
 /// `steps` steps of `step` [s] from `start` towards `command`, the loads averaged over them.
-Outcome fly(const VehicleModel& m, double step, int steps, const std::vector<double>& start, const std::vector<double>& command,
-            const Vector3d& v = Vector3d::Zero(), const Vector3d& w = Vector3d::Zero()) {
+Outcome fly(const VehicleModel& m, double step, int steps, const std::vector<double>& start,
+            const std::vector<double>& command, const Vector3d& v = Vector3d::Zero(),
+            const Vector3d& w = Vector3d::Zero()) {
   RotorPlugin rotors(m, step);
   VehicleState state;
   state.rotor_speed = start;
@@ -53,7 +54,8 @@ TEST(Rotor, SpeedAndImpulseDoNotDependOnTheStep) {
     SCOPED_TRACE(steps);
     const Outcome fine = fly(m, 0.1 / steps, steps, start, command, v, w);
     // Rounding grows with the number of products; forces are of the order of 10.
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(fine.speed[i], coarse.speed[i], 5 * steps * 838 * kEps);
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_NEAR(fine.speed[i], coarse.speed[i], 5 * steps * 838 * kEps);
     EXPECT_LT((fine.load.force_B - coarse.load.force_B).norm(), 10 * steps * 10 * kEps);
     EXPECT_LT((fine.load.torque_B - coarse.load.torque_B).norm(), 10 * steps * 10 * kEps);
   }
@@ -65,12 +67,13 @@ TEST(Rotor, HoverForcesByHand) {
   const Outcome out = fly(m, 0.001, 1, {w, w, w, w}, {w, w, w, w});
   EXPECT_NEAR(out.load.force_B.z(), 4 * kf * w * w, 1e-14);
   EXPECT_NEAR(out.load.force_B.head<2>().norm(), 0, 0);
-  EXPECT_NEAR(out.load.torque_B.norm(), 0, 1e-16);             // balanced spins and arms
+  EXPECT_NEAR(out.load.torque_B.norm(), 0, 1e-16);  // balanced spins and arms
   EXPECT_NEAR(out.load.momentum_end_B.norm(), 0, 1e-18);
 }
 
 TEST(Rotor, TorquesByHand) {
-  // thesis Eq. (1.1) with RotorS's positions: roll l (T1 - T3), pitch l (T2 - T0), yaw ratio (T0 - T1 + T2 - T3).
+  // thesis Eq. (1.1) with RotorS's positions: roll l (T1 - T3), pitch l (T2 - T0), yaw ratio (T0 -
+  // T1 + T2 - T3).
   const VehicleModel m = hummingbird();
   const std::vector<double> w = {400, 410, 430, 460};
   const Outcome out = fly(m, 0.001, 1, w, w);
@@ -79,7 +82,8 @@ TEST(Rotor, TorquesByHand) {
   EXPECT_NEAR(out.load.torque_B.x(), 0.17 * (T[1] - T[3]), 1e-15);
   EXPECT_NEAR(out.load.torque_B.y(), 0.17 * (T[2] - T[0]), 1e-15);
   EXPECT_NEAR(out.load.torque_B.z(), 0.016 * (T[0] - T[1] + T[2] - T[3]), 1e-15);
-  EXPECT_NEAR(out.load.momentum_end_B.z(), m.rotors[0].axial_inertia * (-400 + 410 - 430 + 460), 1e-18);
+  EXPECT_NEAR(out.load.momentum_end_B.z(), m.rotors[0].axial_inertia * (-400 + 410 - 430 + 460),
+              1e-18);
 }
 
 TEST(Rotor, HForceOpposesTheMotionAcrossTheAxisOnly) {
@@ -104,13 +108,14 @@ TEST(Rotor, RollingMomentHasTheTurningDirection) {
   const auto torque = [&](const std::vector<double>& w) {
     return (fly(m, 0.001, 1, w, w, v).load.torque_B - fly(m, 0.001, 1, w, w).load.torque_B).eval();
   };
-  EXPECT_NEAR(torque({400, 400, 400, 400}).norm(), 0, 1e-17);            // cancels in balance
-  EXPECT_NEAR(torque({400, 0, 0, 0}).x(), +400 * 1e-6 * 2, 1e-17);       // clockwise: s = -1
+  EXPECT_NEAR(torque({400, 400, 400, 400}).norm(), 0, 1e-17);       // cancels in balance
+  EXPECT_NEAR(torque({400, 0, 0, 0}).x(), +400 * 1e-6 * 2, 1e-17);  // clockwise: s = -1
   EXPECT_NEAR(torque({0, 400, 0, 0}).x(), -400 * 1e-6 * 2, 1e-17);
 }
 
 TEST(Rotor, UprightShortCutEqualsTheGeneralFormula) {
-  // The same vehicle described in axes turned about y, so that no axis is exactly z; loads turned back must agree.
+  // The same vehicle described in axes turned about y, so that no axis is exactly z; loads turned
+  // back must agree.
   const VehicleModel upright = hummingbird();
   const Eigen::Matrix3d R = Eigen::AngleAxisd(0.3, Vector3d::UnitY()).toRotationMatrix();
   VehicleModel tilted = upright;

@@ -27,8 +27,10 @@ OdometrySensor odometrySensor(const Tags& tags, std::uint64_t seed = 1, bool com
   return OdometrySensor(sensor(tags), "bee/odometry", seed, 0.001, compat);
 }
 
-const Tags kNoisy = {{"noiseNormalPosition", "0.01 0.02 0.03"},   {"noiseUniformPosition", "0.3 0 0"},
-                     {"noiseNormalQuaternion", "0.02 0.02 0.02"}, {"noiseNormalLinearVelocity", "0.1 0.1 0.1"},
+const Tags kNoisy = {{"noiseNormalPosition", "0.01 0.02 0.03"},
+                     {"noiseUniformPosition", "0.3 0 0"},
+                     {"noiseNormalQuaternion", "0.02 0.02 0.02"},
+                     {"noiseNormalLinearVelocity", "0.1 0.1 0.1"},
                      {"noiseUniformAngularVelocity", "0 0 0.6"}};
 
 TEST(OdometrySensor, NoiseHasTheSizeOfItsTags) {
@@ -45,7 +47,9 @@ TEST(OdometrySensor, NoiseHasTheSizeOfItsTags) {
     widest = std::max(widest, std::abs(o.w_WB_B.z()));
   }
   // The variance of n normal numbers is known to sqrt(2 / n), that is 1 %; five of that.
-  const auto expect = [](double got, double sigma) { EXPECT_NEAR(got, sigma * sigma, 0.05 * sigma * sigma); };
+  const auto expect = [](double got, double sigma) {
+    EXPECT_NEAR(got, sigma * sigma, 0.05 * sigma * sigma);
+  };
   expect(position.x(), std::sqrt(0.01 * 0.01 + 0.3 * 0.3 / 3));
   expect(position.y(), 0.02);
   expect(angle.x(), 0.02);
@@ -58,7 +62,8 @@ TEST(OdometrySensor, NoiseHasTheSizeOfItsTags) {
 TEST(OdometrySensor, VarianceCountsTheUniformPartToo) {
   EXPECT_NEAR(odometrySensor(kNoisy).poseVariance()[0], 0.0001 + 0.03, 1e-15);
   EXPECT_NEAR(odometrySensor(kNoisy).twistVariance()[5], 0.12, 1e-15);
-  EXPECT_NEAR(odometrySensor(kNoisy, 1, true).poseVariance()[0], 0.0001, 1e-15) << "RotorS leaves it out";
+  EXPECT_NEAR(odometrySensor(kNoisy, 1, true).poseVariance()[0], 0.0001, 1e-15)
+      << "RotorS leaves it out";
 }
 
 TEST(OdometrySensor, NoiseBelongsToTheStepTheSensorAndTheSeed) {
@@ -88,10 +93,12 @@ TEST(OdometrySensor, BadTagsAreErrorsThatNameThem) {
   const auto says = [](const Tags& tags) {
     return complaint<quad_support::ConfigError>([&] { odometrySensor(tags); });
   };
-  EXPECT_THAT(says({{"noiseNormalPosition", "1 2"}}), HasSubstr("noiseNormalPosition = 1 2 must be three finite numbers >= 0"));
+  EXPECT_THAT(says({{"noiseNormalPosition", "1 2"}}),
+              HasSubstr("noiseNormalPosition = 1 2 must be three finite numbers >= 0"));
   EXPECT_THAT(says({{"noiseUniformPosition", "1 2 -3"}}), HasSubstr("noiseUniformPosition"));
   EXPECT_THAT(says({{"noiseUniformPosition", "1 2 x"}}), HasSubstr("must be three numbers"));
-  EXPECT_THAT(says({{"measurementDivisor", "0"}}), HasSubstr("measurementDivisor = 0 must be a whole number of cycles, 1 to"));
+  EXPECT_THAT(says({{"measurementDivisor", "0"}}),
+              HasSubstr("measurementDivisor = 0 must be a whole number of cycles, 1 to"));
   EXPECT_THAT(says({{"measurementDelay", "1.5"}}), HasSubstr("measurementDelay"));
   EXPECT_THAT(says({{"unknownDelay", "-1"}}), HasSubstr("unknownDelay = -1 must be >= 0"));
   EXPECT_THAT(says({{"randomEngineSeed", "-1"}}), HasSubstr("randomEngineSeed"));
@@ -109,7 +116,8 @@ TEST(OdometryDelay, DividesAndDelaysInCyclesOfTenMilliseconds) {
     truth.time_ns = step;
     if (const auto o = delay.at(step, truth)) out.emplace_back(step, o->time_ns);
   }
-  EXPECT_EQ(out, (std::vector<std::pair<std::int64_t, std::int64_t>>{{40, 0}, {70, 30}, {100, 60}, {130, 90}}));
+  EXPECT_EQ(out, (std::vector<std::pair<std::int64_t, std::int64_t>>{
+                     {40, 0}, {70, 30}, {100, 60}, {130, 90}}));
 }
 
 TEST(OdometryDelay, SamplesOnTheirWayAreSavedWithTheState) {
@@ -129,15 +137,17 @@ TEST(OdometryDelay, SamplesOnTheirWayAreSavedWithTheState) {
 
 TEST(OdometryDelay, UnknownDelayMovesTheStamp) {
   EXPECT_EQ(odometrySensor({{"unknownDelay", "1.25"}}).extraStamp(), 1250000000);
-  EXPECT_EQ(odometrySensor({{"unknownDelay", "1.25"}}, 1, true).extraStamp(), 1000000000) << "RotorS cuts it";
+  EXPECT_EQ(odometrySensor({{"unknownDelay", "1.25"}}, 1, true).extraStamp(), 1000000000)
+      << "RotorS cuts it";
 }
 
 // ---- IMU ----
 
-const Tags kImu = {{"gyroscopeNoiseDensity", "0.01"},     {"gyroscopeBiasRandomWalk", "0.02"},
-                   {"gyroscopeBiasCorrelationTime", "50"}, {"gyroscopeTurnOnBiasSigma", "0.5"},
-                   {"accelerometerNoiseDensity", "0.04"},  {"accelerometerRandomWalk", "0.01"},
-                   {"accelerometerBiasCorrelationTime", "20"}, {"accelerometerTurnOnBiasSigma", "0.2"}};
+const Tags kImu = {
+    {"gyroscopeNoiseDensity", "0.01"},          {"gyroscopeBiasRandomWalk", "0.02"},
+    {"gyroscopeBiasCorrelationTime", "50"},     {"gyroscopeTurnOnBiasSigma", "0.5"},
+    {"accelerometerNoiseDensity", "0.04"},      {"accelerometerRandomWalk", "0.01"},
+    {"accelerometerBiasCorrelationTime", "20"}, {"accelerometerTurnOnBiasSigma", "0.2"}};
 
 ImuSensor imuSensor(const Tags& tags, std::uint64_t seed = 1, bool compat = false) {
   return ImuSensor(sensor(tags), "bee/imu", seed, 0.001, compat);
@@ -154,7 +164,8 @@ double allanVariance(const std::vector<double>& x, std::size_t m) {
   return total / (2.0 * static_cast<double>(n));
 }
 
-/// Of white noise of density N and a Gauss-Markov process driven by density K with time constant T (IEEE Std 952, annex C).
+/// Of white noise of density N and a Gauss-Markov process driven by density K with time constant T
+/// (IEEE Std 952, annex C).
 double expectedAllanVariance(double N, double K, double T, double tau) {
   const double e = std::exp(-tau / T);
   return N * N / tau + std::pow(K * T, 2) / tau * (1 - T / (2 * tau) * (3 - 4 * e + e * e));
@@ -171,25 +182,30 @@ TEST(ImuSensor, AllanVarianceIsThatOfItsTags) {
       accelerometer[static_cast<std::size_t>(axis)].push_back(r.specific_force_S[axis]);
     }
   }
-  for (const std::size_t m : {1UL, 10UL, 100UL, 1000UL, 10000UL}) {  // 10 ms, white, to 100 s, beyond the bias's memory
+  for (const std::size_t m :
+       {1UL, 10UL, 100UL, 1000UL, 10000UL}) {  // 10 ms, white, to 100 s, beyond the bias's memory
     const double tau = 0.01 * static_cast<double>(m);
     double g = 0, a = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       g += allanVariance(gyro[axis], m) / 3;
       a += allanVariance(accelerometer[axis], m) / 3;
     }
-    // n clusters know the variance to sqrt(2/n), three axes to a sqrt(3) of that; four sigma, and where clusters are few
-    // neighbouring ones are correlated: half as many count. Below 1000 s / tau the floor of 1 % is the start of the bias at 0.
+    // n clusters know the variance to sqrt(2/n), three axes to a sqrt(3) of that; four sigma, and
+    // where clusters are few neighbouring ones are correlated: half as many count. Below 1000 s /
+    // tau the floor of 1 % is the start of the bias at 0.
     const double clusters = 3 * static_cast<double>(kSamples / m) / 2;
     const double tolerance = 4 * std::sqrt(2 / clusters) + 0.01;
-    const double expected_g = expectedAllanVariance(0.01, 0.02, 50, tau), expected_a = expectedAllanVariance(0.04, 0.01, 20, tau);
+    const double expected_g = expectedAllanVariance(0.01, 0.02, 50, tau),
+                 expected_a = expectedAllanVariance(0.04, 0.01, 20, tau);
     EXPECT_NEAR(g / expected_g, 1, tolerance) << "gyroscope, tau = " << tau;
     EXPECT_NEAR(a / expected_a, 1, tolerance) << "accelerometer, tau = " << tau;
   }
 }
 
 TEST(ImuSensor, TurnOnBiasIsDrawnOncePerSeed) {
-  Tags only_bias = {{"gyroscopeNoiseDensity", "0"}, {"gyroscopeBiasRandomWalk", "0"}, {"gyroscopeTurnOnBiasSigma", "0.5"}};
+  Tags only_bias = {{"gyroscopeNoiseDensity", "0"},
+                    {"gyroscopeBiasRandomWalk", "0"},
+                    {"gyroscopeTurnOnBiasSigma", "0.5"}};
   double sum = 0;
   constexpr int kSeeds = 1000;
   for (int seed = 0; seed < kSeeds; ++seed) {
@@ -207,8 +223,11 @@ TEST(ImuSensor, ReadingsDoNotDependOnRateOrOrder) {
   std::vector<ImuReading> all;
   for (int k = 0; k < 200; ++k) all.push_back(always.sense(ImuReading(), 10 * k));
   for (const int k : {3, 50, 199, 20, 0}) {
-    EXPECT_EQ(seldom.sense(ImuReading(), 10 * k).rate_S, all[static_cast<std::size_t>(k)].rate_S) << k;
-    EXPECT_EQ(seldom.sense(ImuReading(), 10 * k + 9).specific_force_S, all[static_cast<std::size_t>(k)].specific_force_S) << "same sample";
+    EXPECT_EQ(seldom.sense(ImuReading(), 10 * k).rate_S, all[static_cast<std::size_t>(k)].rate_S)
+        << k;
+    EXPECT_EQ(seldom.sense(ImuReading(), 10 * k + 9).specific_force_S,
+              all[static_cast<std::size_t>(k)].specific_force_S)
+        << "same sample";
   }
 }
 
@@ -227,9 +246,13 @@ TEST(ImuSensor, RotorsModelsWriteATagItsPluginDoesNotRead) {
 }
 
 TEST(ImuSensor, BadTagsAreErrorsThatNameThem) {
-  const auto says = [](const Tags& tags) { return complaint<quad_support::ConfigError>([&] { imuSensor(tags); }); };
-  EXPECT_THAT(says({{"gyroscopeNoiseDensity", "-1"}}), HasSubstr("gyroscopeNoiseDensity = -1 must be >= 0"));
-  EXPECT_THAT(says({{"accelerometerBiasCorrelationTime", "0"}}), HasSubstr("accelerometerBiasCorrelationTime = 0 must be > 0 s"));
+  const auto says = [](const Tags& tags) {
+    return complaint<quad_support::ConfigError>([&] { imuSensor(tags); });
+  };
+  EXPECT_THAT(says({{"gyroscopeNoiseDensity", "-1"}}),
+              HasSubstr("gyroscopeNoiseDensity = -1 must be >= 0"));
+  EXPECT_THAT(says({{"accelerometerBiasCorrelationTime", "0"}}),
+              HasSubstr("accelerometerBiasCorrelationTime = 0 must be > 0 s"));
   EXPECT_THAT(says({{"updateRate", "0"}}), HasSubstr("updateRate = 0 must be > 0 Hz"));
 }
 
@@ -265,7 +288,8 @@ TEST(Imu, FeelsTheArmOfATurn) {
   spin.rotor_speed.assign(4, 0.0);
   s.setStartState(spin);
   s.advance(100);
-  // w² r = 8 m/s² towards the centre; the mean over a step of 1 ms lies half a step, 2 mrad, behind: 0.016 m/s² sideways.
+  // w² r = 8 m/s² towards the centre; the mean over a step of 1 ms lies half a step, 2 mrad,
+  // behind: 0.016 m/s² sideways.
   const Vector3d f = s.imu(far).specific_force_S;
   EXPECT_NEAR(f.x(), -8, 1e-4);
   EXPECT_NEAR(f.y(), 0, 0.017);

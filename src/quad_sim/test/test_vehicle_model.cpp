@@ -1,4 +1,5 @@
-// The URDF reader: totals against figures worked out by hand from RotorS's description, and messages for broken models.
+// The URDF reader: totals against figures worked out by hand from RotorS's description, and
+// messages for broken models.
 #include <gmock/gmock.h>
 
 #include "hummingbird.hpp"
@@ -16,7 +17,8 @@ std::string parseComplaint(const std::string& text) {
 }
 
 TEST(VehicleModel, MassIsTheSumOfTheLinks) {
-  // 0.68 base + 4 * 0.009 rotors + 0.015 IMU + 3 * 1e-5 markers; a handful of additions round to 1e-16 each.
+  // 0.68 base + 4 * 0.009 rotors + 0.015 IMU + 3 * 1e-5 markers; a handful of additions round to
+  // 1e-16 each.
   EXPECT_NEAR(hummingbird().mass, 0.73103, 1e-15);
 }
 
@@ -31,7 +33,8 @@ TEST(VehicleModel, TotalsAreThoseOfTheParallelAxisTheorem) {
   const double transverse = 0.5 * f * (x * x + y * y + 2 * z * z);
   const double sensors = 4 * 1e-5;
   const double steiner = 4 * 0.009 * 0.01 * 0.01 - 0.73103 * com * com;
-  EXPECT_NEAR(m.inertia_B(0, 0), 0.007 + 2 * 0.009 * 0.17 * 0.17 + steiner + sensors + 4 * transverse, 1e-15);
+  EXPECT_NEAR(m.inertia_B(0, 0),
+              0.007 + 2 * 0.009 * 0.17 * 0.17 + steiner + sensors + 4 * transverse, 1e-15);
   EXPECT_NEAR(m.inertia_B(1, 1), m.inertia_B(0, 0), 1e-15);
   EXPECT_NEAR(m.inertia_B(2, 2), 0.012 + 4 * 0.009 * 0.17 * 0.17 + sensors + 4 * axial, 1e-15);
   EXPECT_NEAR(m.inertia_B(0, 1), 0.0, 1e-17);
@@ -64,7 +67,8 @@ TEST(VehicleModel, TotalMassIsTrimmedAtTheOriginOfBaseLink) {
     return m.inertia_B(0, 0) + m.mass * m.com_B.z() * m.com_B.z();
   };
   EXPECT_NEAR(aboutOrigin(trimmed), aboutOrigin(as_is), 1e-17);
-  EXPECT_THAT(complaint<ConfigError>([] { loadVehicle(hummingbirdPath(), 0.03); }), HasSubstr("must be > 0.036"));
+  EXPECT_THAT(complaint<ConfigError>([] { loadVehicle(hummingbirdPath(), 0.03); }),
+              HasSubstr("must be > 0.036"));
 }
 
 TEST(VehicleModel, HoverSpeedCarriesTheWeight) {
@@ -72,7 +76,8 @@ TEST(VehicleModel, HoverSpeedCarriesTheWeight) {
   const double w = hoverSpeed(m, 9.8);
   EXPECT_NEAR(4 * 8.54858e-06 * w * w, 0.73103 * 9.8, 1e-14);
   EXPECT_NEAR(w, 457.72, 0.005);  // as printed
-  EXPECT_THAT(complaint<std::invalid_argument>([&] { hoverSpeed(m, 98.0); }), HasSubstr("at most 838 rad/s"));
+  EXPECT_THAT(complaint<std::invalid_argument>([&] { hoverSpeed(m, 98.0); }),
+              HasSubstr("at most 838 rad/s"));
 }
 
 TEST(VehicleModel, SensorsAndBoxAreFound) {
@@ -90,10 +95,12 @@ TEST(VehicleModel, SensorsAndBoxAreFound) {
 
 TEST(VehicleModel, TurnedLinksCarryTheirInertiaAlong) {
   // The base turned by 90 degrees about x inside base_link: its izz becomes the body's iyy.
-  const std::string text = replaced(replaced(hummingbirdText(), "<parent link=\"hummingbird/base_link\"/>",
-                                             "<origin rpy=\"1.5707963267948966 0 0\"/><parent link=\"hummingbird/base_link\"/>"),
-                                    "iyy=\"0.007\"", "iyy=\"0.008\"");
-  const VehicleModel straight = parseVehicle(replaced(hummingbirdText(), "iyy=\"0.007\"", "iyy=\"0.008\""), "m.urdf");
+  const std::string text = replaced(
+      replaced(hummingbirdText(), "<parent link=\"hummingbird/base_link\"/>",
+               "<origin rpy=\"1.5707963267948966 0 0\"/><parent link=\"hummingbird/base_link\"/>"),
+      "iyy=\"0.007\"", "iyy=\"0.008\"");
+  const VehicleModel straight =
+      parseVehicle(replaced(hummingbirdText(), "iyy=\"0.007\"", "iyy=\"0.008\""), "m.urdf");
   const VehicleModel turned = parseVehicle(text, "m.urdf");
   EXPECT_NEAR(turned.inertia_B(1, 1) - straight.inertia_B(1, 1), 0.012 - 0.008, 1e-15);
   EXPECT_NEAR(turned.inertia_B(2, 2) - straight.inertia_B(2, 2), 0.008 - 0.012, 1e-15);
@@ -101,22 +108,32 @@ TEST(VehicleModel, TurnedLinksCarryTheirInertiaAlong) {
 
 TEST(VehicleModel, MessagesNameFileLineAndTag) {
   const std::string good = hummingbirdText();
-  EXPECT_THAT(parseComplaint(replaced(good, "<mass value=\"0.009\"", "<mass value=\"0\"")),
-              testing::MatchesRegex("m.urdf:[0-9]+: link 'hummingbird/rotor_0': mass = 0 kg; must be > 0"));
-  EXPECT_THAT(parseComplaint(replaced(good, "izz=\"0.012\"", "izz=\"-0.012\"")),
-              HasSubstr("link 'hummingbird/base_link_inertia': the inertia is not positive definite"));
-  EXPECT_THAT(parseComplaint(replaced(good, "<motorNumber>1<", "<motorNumber>0<")),
-              testing::MatchesRegex("m.urdf:[0-9]+: plugin 'rotor_1_motor_model' .*: motorNumber = 0 is taken by .*"));
-  EXPECT_THAT(parseComplaint(replaced(good, "<motorNumber>3<", "<motorNumber>4<")), 
-              testing::MatchesRegex("m.urdf:[0-9]+: plugin 'rotor_3_motor_model' .*: motorNumber = 4 leaves a gap: motor number "
-                                    "3 is missing: there are 0, 1, 2, 4; 4 rotors are numbered 0..3"));
-  EXPECT_THAT(parseComplaint(replaced(good, "<motorNumber>3<", "<motorNumber>x<")), HasSubstr("motorNumber = x must be a number"));
+  EXPECT_THAT(
+      parseComplaint(replaced(good, "<mass value=\"0.009\"", "<mass value=\"0\"")),
+      testing::MatchesRegex("m.urdf:[0-9]+: link 'hummingbird/rotor_0': mass = 0 kg; must be > 0"));
+  EXPECT_THAT(
+      parseComplaint(replaced(good, "izz=\"0.012\"", "izz=\"-0.012\"")),
+      HasSubstr("link 'hummingbird/base_link_inertia': the inertia is not positive definite"));
+  EXPECT_THAT(
+      parseComplaint(replaced(good, "<motorNumber>1<", "<motorNumber>0<")),
+      testing::MatchesRegex(
+          "m.urdf:[0-9]+: plugin 'rotor_1_motor_model' .*: motorNumber = 0 is taken by .*"));
+  EXPECT_THAT(
+      parseComplaint(replaced(good, "<motorNumber>3<", "<motorNumber>4<")),
+      testing::MatchesRegex("m.urdf:[0-9]+: plugin 'rotor_3_motor_model' .*: motorNumber = 4 "
+                            "leaves a gap: motor number "
+                            "3 is missing: there are 0, 1, 2, 4; 4 rotors are numbered 0..3"));
+  EXPECT_THAT(parseComplaint(replaced(good, "<motorNumber>3<", "<motorNumber>x<")),
+              HasSubstr("motorNumber = x must be a number"));
   EXPECT_THAT(parseComplaint(replaced(good, "<motorConstant>8.54858e-06<", "<motorConstant>-1<")),
               HasSubstr("motorConstant = -1 must be > 0"));
-  EXPECT_THAT(parseComplaint(replaced(good, ">cw<", ">left<")), HasSubstr("turningDirection = left must be cw or ccw"));
-  EXPECT_THAT(parseComplaint(replaced(good, "<jointName>hummingbird/rotor_2_joint<", "<jointName>nobody<")),
-              HasSubstr("jointName = nobody names no joint"));
-  EXPECT_THAT(parseComplaint("<robot name='r'><link name='base_link'/></robot>"), HasSubstr("no rotor"));
+  EXPECT_THAT(parseComplaint(replaced(good, ">cw<", ">left<")),
+              HasSubstr("turningDirection = left must be cw or ccw"));
+  EXPECT_THAT(
+      parseComplaint(replaced(good, "<jointName>hummingbird/rotor_2_joint<", "<jointName>nobody<")),
+      HasSubstr("jointName = nobody names no joint"));
+  EXPECT_THAT(parseComplaint("<robot name='r'><link name='base_link'/></robot>"),
+              HasSubstr("no rotor"));
   EXPECT_THAT(parseComplaint("<robot name='r'"), HasSubstr("m.urdf:"));
   EXPECT_THAT(parseComplaint(""), HasSubstr("m.urdf"));
 }
@@ -124,44 +141,57 @@ TEST(VehicleModel, MessagesNameFileLineAndTag) {
 TEST(VehicleModel, MassesThatAreNoNumbersAreNamed) {
   const std::string good = hummingbirdText();
   for (const char* text : {"nan", "inf"}) {
-    EXPECT_THAT(parseComplaint(replaced(good, "<mass value=\"0.009\"", std::string("<mass value=\"") + text + "\"")),
-                testing::MatchesRegex(std::string("m.urdf:[0-9]+: link 'hummingbird/rotor_0': mass = ") + text +
-                                      "; must be a finite number"));
+    EXPECT_THAT(
+        parseComplaint(
+            replaced(good, "<mass value=\"0.009\"", std::string("<mass value=\"") + text + "\"")),
+        testing::MatchesRegex(std::string("m.urdf:[0-9]+: link 'hummingbird/rotor_0': mass = ") +
+                              text + "; must be a finite number"));
   }
   EXPECT_THAT(parseComplaint(replaced(good, "<mass value=\"0.009\"", "<mass value=\"light\"")),
-              testing::MatchesRegex("m.urdf:[0-9]+: link 'hummingbird/rotor_0': mass = light; must be a number"));
+              testing::MatchesRegex(
+                  "m.urdf:[0-9]+: link 'hummingbird/rotor_0': mass = light; must be a number"));
   EXPECT_THAT(parseComplaint(replaced(good, "izz=\"0.012\"", "izz=\"nan\"")),
-              testing::MatchesRegex("m.urdf:[0-9]+: link 'hummingbird/base_link_inertia': izz = nan; must be a finite number"));
+              testing::MatchesRegex("m.urdf:[0-9]+: link 'hummingbird/base_link_inertia': izz = "
+                                    "nan; must be a finite number"));
 }
 
 TEST(VehicleModel, AnInertiaThatNoBodyHasIsRefused) {
   const std::string good = hummingbirdText();
-  EXPECT_THAT(parseComplaint(replaced(good, "izz=\"0.012\"", "izz=\"0.02\"")),
-              testing::MatchesRegex("m.urdf:[0-9]+: link 'hummingbird/base_link_inertia': no body has the principal moments of "
-                                    "inertia 0.007, 0.007 and 0.02 kg m.2: .*triangle inequality.*"));
-  EXPECT_GT(parseVehicle(replaced(good, "izz=\"0.012\"", "izz=\"0.014\""), "m.urdf").inertia_B(2, 2), 0.014);  // a plate
+  EXPECT_THAT(
+      parseComplaint(replaced(good, "izz=\"0.012\"", "izz=\"0.02\"")),
+      testing::MatchesRegex("m.urdf:[0-9]+: link 'hummingbird/base_link_inertia': no body has the "
+                            "principal moments of "
+                            "inertia 0.007, 0.007 and 0.02 kg m.2: .*triangle inequality.*"));
+  EXPECT_GT(
+      parseVehicle(replaced(good, "izz=\"0.012\"", "izz=\"0.014\""), "m.urdf").inertia_B(2, 2),
+      0.014);  // a plate
 }
 
 /// `text` without the <gazebo> element around `word`.
 std::string withoutGazebo(const std::string& text, const std::string& word) {
   const auto at = text.find(word);
   EXPECT_NE(at, std::string::npos) << word;
-  const auto begin = text.rfind("<gazebo", at), end = text.find("</gazebo>", at) + std::string("</gazebo>").size();
+  const auto begin = text.rfind("<gazebo", at),
+             end = text.find("</gazebo>", at) + std::string("</gazebo>").size();
   return text.substr(0, begin) + text.substr(end);
 }
 
 TEST(VehicleModel, ARotorWithoutMotorPluginIsNamed) {
   const std::string good = hummingbirdText();
-  EXPECT_THAT(parseComplaint(withoutGazebo(good, "rotor_3_motor_model")),
-              testing::MatchesRegex("m.urdf:[0-9]+: joint 'hummingbird/rotor_3_joint': no motor plugin drives it and its link "
-                                    "'hummingbird/rotor_3'; motor numbers 0..2 are other joints'.*"));
+  EXPECT_THAT(
+      parseComplaint(withoutGazebo(good, "rotor_3_motor_model")),
+      testing::MatchesRegex("m.urdf:[0-9]+: joint 'hummingbird/rotor_3_joint': no motor plugin "
+                            "drives it and its link "
+                            "'hummingbird/rotor_3'; motor numbers 0..2 are other joints'.*"));
   EXPECT_THAT(parseComplaint(withoutGazebo(good, "rotor_1_motor_model")),
-              testing::MatchesRegex("m.urdf:[0-9]+: joint 'hummingbird/rotor_1_joint': .*'hummingbird/rotor_1'; motor number 1 is "
+              testing::MatchesRegex("m.urdf:[0-9]+: joint 'hummingbird/rotor_1_joint': "
+                                    ".*'hummingbird/rotor_1'; motor number 1 is "
                                     "missing: there are 0, 2, 3.*"));
 }
 
 TEST(VehicleModel, AnUnknownPluginListsTheKnownOnes) {
-  const std::string text = parseComplaint(replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "libnosuchplugin.so"));
+  const std::string text = parseComplaint(
+      replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "libnosuchplugin.so"));
   EXPECT_THAT(text, HasSubstr("no plugin is called libnosuchplugin.so; built in are "));
   EXPECT_THAT(text, HasSubstr("as a library: libnosuchplugin.so"));  // the loader's own words
   for (const std::string& name : knownPlugins()) EXPECT_THAT(text, HasSubstr(name));
@@ -169,16 +199,21 @@ TEST(VehicleModel, AnUnknownPluginListsTheKnownOnes) {
 
 TEST(VehicleModel, WhatIsLeftOutIsListed) {
   EXPECT_THAT(ignoredPlugins(hummingbird()), testing::IsEmpty());
-  const std::string gps = replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "librotors_gazebo_gps_plugin.so");
-  EXPECT_THAT(ignoredPlugins(parseVehicle(gps, "m.urdf")), testing::ElementsAre("librotors_gazebo_gps_plugin.so (imu)"));
+  const std::string gps = replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so",
+                                   "librotors_gazebo_gps_plugin.so");
+  EXPECT_THAT(ignoredPlugins(parseVehicle(gps, "m.urdf")),
+              testing::ElementsAre("librotors_gazebo_gps_plugin.so (imu)"));
 }
 
 TEST(VehicleModel, PluginsOfSensorsAreFoundToo) {
-  const std::string camera = "<gazebo reference=\"hummingbird/base_link\"><sensor type=\"camera\" name=\"c\"><update_rate>30</update_rate>"
-                             "<plugin name=\"eye\" filename=\"libgazebo_ros_camera.so\"/></sensor></gazebo></robot>";
+  const std::string camera =
+      "<gazebo reference=\"hummingbird/base_link\"><sensor type=\"camera\" "
+      "name=\"c\"><update_rate>30</update_rate>"
+      "<plugin name=\"eye\" filename=\"libgazebo_ros_camera.so\"/></sensor></gazebo></robot>";
   const VehicleModel m = parseVehicle(replaced(hummingbirdText(), "</robot>", camera), "m.urdf");
   EXPECT_THAT(ignoredPlugins(m), testing::Contains("libgazebo_ros_camera.so (eye)"));
-  EXPECT_THAT(parseComplaint(replaced(hummingbirdText(), "</robot>", replaced(camera, "libgazebo_ros_camera.so", "libnobody.so"))),
+  EXPECT_THAT(parseComplaint(replaced(hummingbirdText(), "</robot>",
+                                      replaced(camera, "libgazebo_ros_camera.so", "libnobody.so"))),
               HasSubstr("no plugin is called libnobody.so; built in are"));
 }
 
@@ -190,25 +225,30 @@ TEST(Quirks, EachHasANameAndTheProfileIsAllOfThem) {
     one_by_one.byName(name) = true;
     EXPECT_TRUE(RotorsQuirks::all().byName(name)) << name;
   }
-  EXPECT_THAT(complaint<std::invalid_argument>([&] { one_by_one.byName("wobble"); }), HasSubstr("wobble; must be one of thrust_lag, "));
+  EXPECT_THAT(complaint<std::invalid_argument>([&] { one_by_one.byName("wobble"); }),
+              HasSubstr("wobble; must be one of thrust_lag, "));
 }
 
 TEST(VehicleModel, ALibraryOfItsOwnActsOnTheVehicle) {
-  const std::string element = std::string("<gazebo><plugin name=\"push\" filename=\"") + QUAD_SIM_TEST_PLUGIN +
+  const std::string element = std::string("<gazebo><plugin name=\"push\" filename=\"") +
+                              QUAD_SIM_TEST_PLUGIN +
                               "\"><force>0.5</force></plugin></gazebo></robot>";
-  const VehicleModel pushed = parseVehicle(replaced(hummingbirdText(), "</robot>", element), "m.urdf");
+  const VehicleModel pushed =
+      parseVehicle(replaced(hummingbirdText(), "</robot>", element), "m.urdf");
   SimulatorOptions options;
   options.ground = false;
   Simulator s(pushed, options);
   s.setStartState(equilibrium(pushed, options.gravity, 10));
   s.advance(1);
   EXPECT_NEAR(s.state().v_WB.y(), 0.5 / pushed.mass * 0.001, 1e-15);  // F h / m
-  EXPECT_THAT(parseComplaint(replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "libm.so.6")),
-              HasSubstr("it is no plugin"));
+  EXPECT_THAT(
+      parseComplaint(replaced(hummingbirdText(), "librotors_gazebo_imu_plugin.so", "libm.so.6")),
+      HasSubstr("it is no plugin"));
 }
 
 TEST(VehicleModel, BrokenModelsAreRefusedOrFly) {
-  // Whatever line is missing: either a vehicle with sound totals or std::invalid_argument, never anything else.
+  // Whatever line is missing: either a vehicle with sound totals or std::invalid_argument, never
+  // anything else.
   const std::string good = hummingbirdText();
   int refused = 0, accepted = 0;
   for (std::size_t begin = 0; begin < good.size();) {
@@ -236,7 +276,9 @@ TEST(VehicleModel, CutTextIsRefused) {
   }
 }
 
-TEST(VehicleModel, AMissingFileIsBadInput) { EXPECT_THROW(loadVehicle("no/such.urdf"), std::invalid_argument); }
+TEST(VehicleModel, AMissingFileIsBadInput) {
+  EXPECT_THROW(loadVehicle("no/such.urdf"), std::invalid_argument);
+}
 
 }  // namespace
 }  // namespace quad_sim

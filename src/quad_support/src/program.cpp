@@ -14,7 +14,8 @@ namespace quad_support {
 int runProgram(const std::string& name, const std::function<int()>& body, std::string* message) {
   std::setlocale(LC_ALL, "C");
   installInterruptHandlers();
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then an error of write(), with its message
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a limit on file sizes is then an error of write(), with its message
   const auto complain = [&](const std::string& text, int code) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), text.c_str());
     if (message) *message = text;

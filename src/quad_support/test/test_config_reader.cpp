@@ -67,14 +67,18 @@ TEST(ConfigReader, BrokenYamlNamesTheLine) {
 
 TEST(ConfigReader, OverridesReplaceValuesAndKeepTheirLines) {
   const std::string text = "a:\n  b: 1\n  c: [1, 2, 3]\nd: {e: 4}\n";
-  const auto in = ConfigReader::fromText(text, "f.yaml", {{"a.b", "7"}, {"a.c[1]", "-5"}, {"d", "{g: [1, x]}"}});
+  const auto in = ConfigReader::fromText(text, "f.yaml",
+                                         {{"a.b", "7"}, {"a.c[1]", "-5"}, {"d", "{g: [1, x]}"}});
   const auto a = in.section("a");
   EXPECT_EQ(a.number("b", Range::any()), 7.0);
   EXPECT_EQ(a.numbers("c", Range::any()), (std::vector<double>{1, -5, 3}));
   EXPECT_EQ(in.section("d").value("g"), "[1, x]");
   EXPECT_EQ(in.section("d").values("g"), (std::vector<std::string>{"1", "x"}));
   EXPECT_EQ(in.keys(), (std::vector<std::string>{"a", "d"}));
-  EXPECT_EQ(ConfigReader::fromText(text, "f.yaml", {{"a.new", "7"}}).section("a").number("new", Range::any()), 7.0);
+  EXPECT_EQ(ConfigReader::fromText(text, "f.yaml", {{"a.new", "7"}})
+                .section("a")
+                .number("new", Range::any()),
+            7.0);
   try {
     a.numbers("c", Range::positive("m"));
     FAIL();
@@ -82,10 +86,15 @@ TEST(ConfigReader, OverridesReplaceValuesAndKeepTheirLines) {
     EXPECT_STREQ(e.what(), "f.yaml:3: a.c[1] = -5; must be > 0 m");
   }
   const auto stray = ConfigReader::fromText(text, "f.yaml", {{"a.stray", "7"}}).section("a");
-  EXPECT_EQ(messageOf([&] { stray.finish(); }), "f.yaml: a.stray is not a key of this program; known here: ");
-  EXPECT_EQ(messageOf([&] { stray.number("stray", Range::positive("m")), stray.number("stray", Range::closed(0, 1)); }),
+  EXPECT_EQ(messageOf([&] { stray.finish(); }),
+            "f.yaml: a.stray is not a key of this program; known here: ");
+  EXPECT_EQ(messageOf([&] {
+              stray.number("stray", Range::positive("m")),
+                  stray.number("stray", Range::closed(0, 1));
+            }),
             "f.yaml: a.stray = 7; must lie in [0, 1]");
   for (const char* key : {"x.y", "a.x.y", "a.b.c", "a.c[3]", "a.c[-1]", "a.c.b", ""}) {
-    EXPECT_THROW(ConfigReader::fromText(text, "f.yaml", {{key, "1"}}), quad_support::ConfigError) << key;
+    EXPECT_THROW(ConfigReader::fromText(text, "f.yaml", {{key, "1"}}), quad_support::ConfigError)
+        << key;
   }
 }

@@ -108,7 +108,8 @@ TEST_F(AtomicFile, ReplacesTheWholeFile) {
   EXPECT_THROW(writeFileAtomically(dir_ / "none" / "a.txt", "x"), EnvironmentError);
 }
 
-// Where the user may write in the folder of a device, as root may in /dev, a rename would replace the device by a file.
+// Where the user may write in the folder of a device, as root may in /dev, a rename would replace
+// the device by a file.
 TEST_F(AtomicFile, WritesIntoAPipeInsteadOfReplacingIt) {
   const std::string path = dir_ / "pipe";
   ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);

@@ -13,8 +13,8 @@ struct FusedSet {
   std::vector<double> weights;  ///< λ_j >= 0, Σ λ_j = 1
 };
 
-/// Whether the sets together determine every parameter: the condition number of their stacked roots,
-/// columns scaled to length one, is at most 1e10. Single ones need not.
+/// Whether the sets together determine every parameter: the condition number of their stacked
+/// roots, columns scaled to length one, is at most 1e10. Single ones need not.
 bool determineAll(const std::vector<FeasibleSet>& sets);
 
 /// For any weights the intersection lies in { Σ λ_j (distance_j(θ) - G_j) <= 0 }, which is again an

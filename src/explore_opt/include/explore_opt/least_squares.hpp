@@ -31,8 +31,8 @@ struct LeastSquaresFit {
 LeastSquaresFit fitLeastSquares(const Eigen::MatrixXd& X, const Eigen::MatrixXd& U);
 
 /// The same for data that need not excite, any T >= 1: of all minimisers the smallest in the scaled
-/// regressor's coordinates. Only `root` (of rank below n_φ, then) and `residual_energy` are facts, and
-/// Θ̂ in the directions the data excite; all else is for fusion with other data.
+/// regressor's coordinates. Only `root` (of rank below n_φ, then) and `residual_energy` are facts,
+/// and Θ̂ in the directions the data excite; all else is for fusion with other data.
 LeastSquaresFit openFit(const Eigen::MatrixXd& X, const Eigen::MatrixXd& U);
 
 }  // namespace explore_opt

@@ -36,8 +36,8 @@ double distance(const FeasibleSet& set, const Eigen::MatrixXd& Theta);
 /// Whether Θ is among the parameters the data leave possible (a boundary point, to 1e-10 γ_w, is).
 bool contains(const FeasibleSet& set, const Eigen::MatrixXd& Theta);
 
-/// @throws quad_support::DataError for a D that is not finite, not square, not symmetric (to 1e-12) or
-/// has a negative eigenvalue
+/// @throws quad_support::DataError for a D that is not finite, not square, not symmetric (to 1e-12)
+/// or has a negative eigenvalue
 void requireCloseness(const Eigen::MatrixXd& D, const char* name = "D");
 
 /// A desired closeness by its shape: 1 x 1 means λ I, n_φ x n_φ means D ⊗ I, n_φ n_x x n_φ n_x is

@@ -117,9 +117,7 @@ TEST_F(Program, IdentifyRefusesAnIndefiniteClosenessWhereItIsRead) {
   const std::string common = "identify " + write("data.csv", data(0.01)) +
                              " --states x --inputs u --where phase=explore --gamma-w 0.01 --D ";
   EXPECT_EQ(run(common + write("D.json", "[[1, 2], [2, 1]]")), 2);
-  EXPECT_NE(stderr_.find("D.json: D has the eigenvalue -"),
-            std::string::npos)
-      << stderr_;
+  EXPECT_NE(stderr_.find("D.json: D has the eigenvalue -"), std::string::npos) << stderr_;
   EXPECT_EQ(run(common + "-5"), 2);
   EXPECT_NE(stderr_.find("--D has the eigenvalue -5"), std::string::npos) << stderr_;
 }

@@ -1,4 +1,5 @@
-/// Settings of the controllers and of the time management: the sections `control:` and `timing:` of a config file.
+/// Settings of the controllers and of the time management: the sections `control:` and `timing:` of
+/// a config file.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,8 @@
 
 namespace quad_control {
 
-/// Section `control:`. The gains shipped in config/thesis.yaml are derived in docs/design/0002-control-gains.md.
+/// Section `control:`. The gains shipped in config/thesis.yaml are derived in
+/// docs/design/0002-control-gains.md.
 struct ControlConfig {
   double sampling_period = 0.0;  ///< dT of the integrals [s]; timing.sampling_period; > 0
   PiGains roll_pitch;            ///< [N m/rad, N m/(rad s), N m s/rad, N m/rad]
@@ -21,17 +23,19 @@ struct ControlConfig {
 
 enum class TimingMode { kLockstep, kWallclock };
 const char* toString(TimingMode mode);
-/// @param option  lockstep, wallclock, or empty for `otherwise`. @throws quad_support::ConfigError for another word
+/// @param option  lockstep, wallclock, or empty for `otherwise`. @throws quad_support::ConfigError
+/// for another word
 TimingMode timingMode(const std::string& option, TimingMode otherwise);
 
 /// Section `timing:`.
 struct TimingConfig {
-  double sampling_period = 0.0;    ///< dT [s]; a whole number of physics steps
-  std::int64_t steps = 0;          ///< dT in physics steps; >= 1
+  double sampling_period = 0.0;  ///< dT [s]; a whole number of physics steps
+  std::int64_t steps = 0;        ///< dT in physics steps; >= 1
   TimingMode mode = TimingMode::kLockstep;
   double forgetting_factor = 0.0;  ///< λ of thesis 1.2.4; in (0, 1)
-  double latency = 0.0;            ///< from state sample to effective command [s]; >= 0, below sampling_period
-  double jitter_std = 0.0;         ///< standard deviation of the interval's length [s]; >= 0
+  double latency =
+      0.0;  ///< from state sample to effective command [s]; >= 0, below sampling_period
+  double jitter_std = 0.0;  ///< standard deviation of the interval's length [s]; >= 0
 };
 
 /// Reads section `control:` (every key required) and complains about unknown keys.

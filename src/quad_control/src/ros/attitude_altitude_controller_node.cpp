@@ -1,5 +1,6 @@
-// Node attitude_altitude_controller_node: odometry in, command/motor_speed out, its stamp copied. References by command/pose
-// and command/trajectory, or a flight plan by service. Parameter: ~config.
+// Node attitude_altitude_controller_node: odometry in, command/motor_speed out, its stamp copied.
+// References by command/pose and command/trajectory, or a flight plan by service. Parameter:
+// ~config.
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/ros.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
@@ -20,16 +21,21 @@ class ControllerNode {
         controller_(config.vehicle, config.control),
         samples_(config.control.sampling_period),
         private_handle_("~") {
-    motor_speed_pub_ = handle_.advertise<mav_msgs::Actuators>("command/motor_speed", 1, /*latch=*/true);
+    motor_speed_pub_ =
+        handle_.advertise<mav_msgs::Actuators>("command/motor_speed", 1, /*latch=*/true);
     input_pub_ = handle_.advertise<geometry_msgs::WrenchStamped>("control/u", 10);
     feedback_pub_ = handle_.advertise<geometry_msgs::WrenchStamped>("control/u_fb", 10);
     const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
     odometry_sub_ = handle_.subscribe("odometry", 10, &ControllerNode::onOdometry, this, hints);
-    rotor_speed_sub_ = handle_.subscribe("motor_speed", 10, &ControllerNode::onRotorSpeed, this, hints);
+    rotor_speed_sub_ =
+        handle_.subscribe("motor_speed", 10, &ControllerNode::onRotorSpeed, this, hints);
     pose_sub_ = handle_.subscribe("command/pose", 1, &ControllerNode::onPose, this);
-    trajectory_sub_ = handle_.subscribe("command/trajectory", 1, &ControllerNode::onTrajectory, this);
-    plan_srv_ = private_handle_.advertiseService("set_flight_plan", &ControllerNode::setFlightPlan, this);
-    record_srv_ = private_handle_.advertiseService("flight_record", &ControllerNode::flightRecord, this);
+    trajectory_sub_ =
+        handle_.subscribe("command/trajectory", 1, &ControllerNode::onTrajectory, this);
+    plan_srv_ =
+        private_handle_.advertiseService("set_flight_plan", &ControllerNode::setFlightPlan, this);
+    record_srv_ =
+        private_handle_.advertiseService("flight_record", &ControllerNode::flightRecord, this);
   }
 
  private:
@@ -37,20 +43,21 @@ class ControllerNode {
     const quad_sim::Odometry odometry = quad_sim::fromMsg(*msg);
     if (trajectory_) follow(odometry.time_ns);
     if (!controller_.flying()) return;  // neither a plan nor a reference: nothing to fly to
-    // A plan is flown sample by sample as the time management deals them; without one the samples are picked here, and
-    // in between the last command is answered again.
+    // A plan is flown sample by sample as the time management deals them; without one the samples
+    // are picked here, and in between the last command is answered again.
     const bool sample = samples_.isSample(odometry.time_ns) || planned_;
-    const ControlOutput& out = sample || controller_.record().empty() ? controller_.update(odometry) : controller_.record().back();
+    const ControlOutput& out = sample || controller_.record().empty() ? controller_.update(odometry)
+                                                                      : controller_.record().back();
     motor_speed_pub_.publish(toMsg(out.rotor_speed, msg->header.stamp));
     if (input_pub_.getNumSubscribers() == 0) return;
-    input_pub_.publish(toMsg({out.thrust, out.tau_phi, out.tau_theta, out.tau_psi}, msg->header.stamp,
-                             msg->child_frame_id));
+    input_pub_.publish(toMsg({out.thrust, out.tau_phi, out.tau_theta, out.tau_psi},
+                             msg->header.stamp, msg->child_frame_id));
   }
 
   void onRotorSpeed(const mav_msgs::Actuators::ConstPtr& msg) {
     if (feedback_pub_.getNumSubscribers() == 0) return;
-    feedback_pub_.publish(
-        toMsg(controller_.mixer().controlInput(msg->angular_velocities), msg->header.stamp, msg->header.frame_id));
+    feedback_pub_.publish(toMsg(controller_.mixer().controlInput(msg->angular_velocities),
+                                msg->header.stamp, msg->header.frame_id));
   }
 
   void onPose(const geometry_msgs::PoseStamped::ConstPtr& msg) {
@@ -69,7 +76,8 @@ class ControllerNode {
     if (references) moveTo(*references);
   }
 
-  // Without a plan the vehicle's own mass is the feed-forward, and the hold goes on until there is one.
+  // Without a plan the vehicle's own mass is the feed-forward, and the hold goes on until there is
+  // one.
   void moveTo(const References& references) try {
     if (controller_.flying()) {
       controller_.setReferences(references);

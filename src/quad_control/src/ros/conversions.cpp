@@ -21,7 +21,8 @@ References fromMsg(const geometry_msgs::Pose& pose) {
 ReferenceTrajectory fromMsg(const trajectory_msgs::MultiDOFJointTrajectory& message) {
   std::vector<Waypoint> waypoints;
   for (const auto& point : message.points) {
-    if (point.transforms.empty()) throw quad_support::ConfigError("trajectory: a point without transform");
+    if (point.transforms.empty())
+      throw quad_support::ConfigError("trajectory: a point without transform");
     geometry_msgs::Pose pose;
     pose.position.x = point.transforms[0].translation.x;
     pose.position.y = point.transforms[0].translation.y;
@@ -59,7 +60,8 @@ FlightPlan fromMsg(const SetFlightPlan::Request& request, double gravity) {
   plan.exploration_start_ns = quad_sim::simulatedTime(request.exploration_start);
   plan.exploration_signal = request.exploration_signal;
   // "empty: the hold goes on for ever", whatever the start stamp says.
-  if (plan.exploration_signal.empty()) plan.exploration_start_ns = FlightPlan().exploration_start_ns;
+  if (plan.exploration_signal.empty())
+    plan.exploration_start_ns = FlightPlan().exploration_start_ns;
   return plan;
 }
 
@@ -70,7 +72,8 @@ mav_msgs::Actuators toMsg(const std::vector<double>& rotor_speed, const ros::Tim
   return msg;
 }
 
-geometry_msgs::WrenchStamped toMsg(const ControlInput& input, const ros::Time& stamp, const std::string& frame) {
+geometry_msgs::WrenchStamped toMsg(const ControlInput& input, const ros::Time& stamp,
+                                   const std::string& frame) {
   geometry_msgs::WrenchStamped msg;
   msg.header.stamp = stamp;
   msg.header.frame_id = frame;
@@ -96,8 +99,9 @@ void toMsg(const std::vector<ControlOutput>& record, FlightRecord::Response& res
 NodeConfig readNodeConfig() {
   std::string path;
   if (!ros::param::get("~config", path)) {
-    throw std::invalid_argument("parameter " + ros::this_node::getName() +
-                                "/config is missing; set it to the path of the experiment's YAML file");
+    throw std::invalid_argument(
+        "parameter " + ros::this_node::getName() +
+        "/config is missing; set it to the path of the experiment's YAML file");
   }
   const auto file = quad_support::ConfigReader::fromFile(path);
   const quad_sim::SimulationConfig simulation = quad_sim::readSimulationConfig(path);

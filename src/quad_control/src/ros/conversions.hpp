@@ -24,8 +24,9 @@ namespace quad_control {
 /// Position and heading of a pose; the heading is that of its z-y'-x'' angles.
 References fromMsg(const geometry_msgs::Pose& pose);
 
-/// The positions and headings of a trajectory's points, each from its time_from_start on; velocities and accelerations
-/// are not used. @throws quad_support::ConfigError for a point without transform and as ReferenceTrajectory
+/// The positions and headings of a trajectory's points, each from its time_from_start on;
+/// velocities and accelerations are not used. @throws quad_support::ConfigError for a point without
+/// transform and as ReferenceTrajectory
 ReferenceTrajectory fromMsg(const trajectory_msgs::MultiDOFJointTrajectory& message);
 trajectory_msgs::MultiDOFJointTrajectory toMsg(const std::vector<Waypoint>& waypoints);
 
@@ -36,7 +37,8 @@ FlightPlan fromMsg(const SetFlightPlan::Request& request, double gravity);
 mav_msgs::Actuators toMsg(const std::vector<double>& rotor_speed, const ros::Time& stamp);
 
 /// U as a wrench in the body frame: force.z is the thrust, torque the three torques.
-geometry_msgs::WrenchStamped toMsg(const ControlInput& input, const ros::Time& stamp, const std::string& frame);
+geometry_msgs::WrenchStamped toMsg(const ControlInput& input, const ros::Time& stamp,
+                                   const std::string& frame);
 
 void toMsg(const std::vector<ControlOutput>& record, FlightRecord::Response& response);
 
@@ -49,7 +51,8 @@ struct NodeConfig {
   TimingConfig timing;
 };
 
-/// @throws std::invalid_argument (ConfigError with file and line) for a missing parameter or a wrong value
+/// @throws std::invalid_argument (ConfigError with file and line) for a missing parameter or a
+/// wrong value
 NodeConfig readNodeConfig();
 
 }  // namespace quad_control

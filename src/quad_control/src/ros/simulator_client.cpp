@@ -17,12 +17,14 @@ using quad_support::EnvironmentError;
 constexpr char kStep[] = "/gazebo/step";
 
 [[noreturn]] void failUnreachable(const std::string& service) {
-  throw EnvironmentError(service + " does not answer: the simulator is gone or was never started (quad_sim_node)");
+  throw EnvironmentError(
+      service + " does not answer: the simulator is gone or was never started (quad_sim_node)");
 }
 
 // Persistent: a new connection costs ten times the call.
 template <class Service>
-bool tryOnce(ros::NodeHandle& handle, ros::ServiceClient& client, const std::string& name, Service& call) {
+bool tryOnce(ros::NodeHandle& handle, ros::ServiceClient& client, const std::string& name,
+             Service& call) {
   if (!client.isValid()) client = handle.serviceClient<Service>(name, /*persistent=*/true);
   if (client.isValid() && client.call(call)) return true;
   client.shutdown();
@@ -32,7 +34,8 @@ bool tryOnce(ros::NodeHandle& handle, ros::ServiceClient& client, const std::str
 }  // namespace
 
 void SimulatorClient::waitUntilThere(double timeout) {
-  // Not ros::service::waitForService: it counts simulated time, which stands still while the simulator is missing.
+  // Not ros::service::waitForService: it counts simulated time, which stands still while the
+  // simulator is missing.
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(timeout);
   while (!ros::service::exists(kStep, /*print_failure_reason=*/false)) {
     if (ros::WallTime::now() >= end || !ros::ok()) failUnreachable(kStep);
@@ -42,7 +45,8 @@ void SimulatorClient::waitUntilThere(double timeout) {
 
 void SimulatorClient::callEmpty(ros::ServiceClient& client, const std::string& name) {
   std_srvs::Empty call;  // pausing or resetting twice is the same as once
-  if (!tryOnce(handle_, client, name, call) && !tryOnce(handle_, client, name, call)) failUnreachable(name);
+  if (!tryOnce(handle_, client, name, call) && !tryOnce(handle_, client, name, call))
+    failUnreachable(name);
 }
 
 bool SimulatorClient::restoreStart() {
@@ -50,7 +54,8 @@ bool SimulatorClient::restoreStart() {
   quad_sim::RestoreState call;
   call.request.state = start_;
   const std::string name = "/gazebo/restore_state";  // twice is the same as once
-  if (!tryOnce(handle_, restore_, name, call) && !tryOnce(handle_, restore_, name, call)) failUnreachable(name);
+  if (!tryOnce(handle_, restore_, name, call) && !tryOnce(handle_, restore_, name, call))
+    failUnreachable(name);
   return call.response.success;  // refused: somebody has changed the physics or the vehicles
 }
 
@@ -59,13 +64,15 @@ void SimulatorClient::startAfresh() {
   if (restoreStart()) return;
   quad_sim::SaveState call;
   const std::string name = "/gazebo/save_state";
-  if (!tryOnce(handle_, save_, name, call) && !tryOnce(handle_, save_, name, call)) failUnreachable(name);
+  if (!tryOnce(handle_, save_, name, call) && !tryOnce(handle_, save_, name, call))
+    failUnreachable(name);
   start_ = call.response.state;
 }
 
 bool SimulatorClient::tryStep(quad_sim::Step& call) {
   if (!tryOnce(handle_, step_, kStep, call)) return false;
-  if (!call.response.success) throw EnvironmentError(std::string(kStep) + ": " + call.response.message);
+  if (!call.response.success)
+    throw EnvironmentError(std::string(kStep) + ": " + call.response.message);
   return true;
 }
 
@@ -77,12 +84,14 @@ quad_sim::Step::Response SimulatorClient::read(const ros::Time& command_stamp, d
   return std::move(call.response);
 }
 
-quad_sim::Step::Response SimulatorClient::step(const quad_sim::Step::Request& request, std::int64_t before_ns) {
+quad_sim::Step::Response SimulatorClient::step(const quad_sim::Step::Request& request,
+                                               std::int64_t before_ns) {
   quad_sim::Step call;
   call.request = request;
   if (tryStep(call)) return std::move(call.response);
   quad_sim::Step::Response now = read(ros::Time(), request.timeout);
-  if (quad_sim::simulatedTime(now.odometry.header.stamp) != before_ns) return now;  // made; only the answer was lost
+  if (quad_sim::simulatedTime(now.odometry.header.stamp) != before_ns)
+    return now;  // made; only the answer was lost
   if (!tryStep(call)) failUnreachable(kStep);
   return std::move(call.response);
 }

@@ -1,4 +1,5 @@
-/// The simulator's services as the time manager calls them: persistent connections, one careful retry.
+/// The simulator's services as the time manager calls them: persistent connections, one careful
+/// retry.
 #pragma once
 
 #include <quad_sim/Step.h>
@@ -9,7 +10,8 @@
 
 namespace quad_control {
 
-/// All functions throw quad_support::EnvironmentError when the simulator cannot be reached or refuses.
+/// All functions throw quad_support::EnvironmentError when the simulator cannot be reached or
+/// refuses.
 class SimulatorClient {
  public:
   explicit SimulatorClient(const ros::NodeHandle& handle) : handle_(handle) {}
@@ -18,12 +20,12 @@ class SimulatorClient {
   void waitUntilThere(double timeout);
   void pause() { callEmpty(pause_, "/gazebo/pause_physics"); }
   void unpause() { callEmpty(unpause_, "/gazebo/unpause_physics"); }
-  /// Resets the simulator, and from the second time on restores the state of the first: with quad_sim's quirk
-  /// filter_survives_reset a reset alone would not make two flights alike.
+  /// Resets the simulator, and from the second time on restores the state of the first: with
+  /// quad_sim's quirk filter_survives_reset a reset alone would not make two flights alike.
   void startAfresh();
 
-  /// One /gazebo/step. Where the connection breaks in between, the state is read again, and only a step that has not
-  /// been made is repeated. @param before_ns  simulated time before the step
+  /// One /gazebo/step. Where the connection breaks in between, the state is read again, and only a
+  /// step that has not been made is repeated. @param before_ns  simulated time before the step
   quad_sim::Step::Response step(const quad_sim::Step::Request& request, std::int64_t before_ns);
   /// The present state; waits for the command stamped `command_stamp` unless that is zero.
   quad_sim::Step::Response read(const ros::Time& command_stamp, double timeout);

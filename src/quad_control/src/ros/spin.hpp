@@ -9,9 +9,11 @@
 
 namespace quad_control {
 
-/// Runs callbacks on this thread until ROS shuts down; what they throw comes out. SIGTERM ends it like SIGINT.
+/// Runs callbacks on this thread until ROS shuts down; what they throw comes out. SIGTERM ends it
+/// like SIGINT.
 inline int spinUntilInterrupted() {
-  const ros::WallDuration nap(0.1);  // how long a signal may wait; a callback wakes the loop at once
+  const ros::WallDuration nap(
+      0.1);  // how long a signal may wait; a callback wakes the loop at once
   while (ros::ok()) {
     ros::getGlobalCallbackQueue()->callAvailable(nap);
     quad_support::throwIfInterrupted();

@@ -1,4 +1,5 @@
-// Node time_manager_node: moves simulated time by control intervals, thesis section 1.2.4. Parameters: ~config, ~mode.
+// Node time_manager_node: moves simulated time by control intervals, thesis section 1.2.4.
+// Parameters: ~config, ~mode.
 #include <fmt/format.h>
 #include <ros/ros.h>
 
@@ -34,7 +35,10 @@ double positive(double timeout) {
 class TimeManagerNode {
  public:
   TimeManagerNode(const TimingConfig& timing, double step)
-      : timing_(timing), step_(step), private_handle_("~"), simulator_(ros::NodeHandle()),
+      : timing_(timing),
+        step_(step),
+        private_handle_("~"),
+        simulator_(ros::NodeHandle()),
         manager_(timing.forgetting_factor) {
     begin_srv_ = private_handle_.advertiseService("begin", &TimeManagerNode::begin, this);
     advance_srv_ = private_handle_.advertiseService("advance", &TimeManagerNode::advance, this);
@@ -61,8 +65,9 @@ class TimeManagerNode {
       requireFlight();
       positive(request.timeout);
       const std::int64_t before = quad_sim::simulatedTime(command_stamp_);
-      response.service_delay = timing_.mode == TimingMode::kLockstep ? stepOnce(request, before, response)
-                                                                     : runForAWhile(request, before, response);
+      response.service_delay = timing_.mode == TimingMode::kLockstep
+                                   ? stepOnce(request, before, response)
+                                   : runForAWhile(request, before, response);
       response.estimated_service_delay = manager_.estimatedDelay();
       delays_.add(response.service_delay, 0.0);
       const std::int64_t after = quad_sim::simulatedTime(command_stamp_);
@@ -87,7 +92,8 @@ class TimeManagerNode {
   }
 
   // Lock-step: the simulator itself waits for the command. Returns the wall time it took [s].
-  double stepOnce(const Advance::Request& request, std::int64_t before, Advance::Response& response) {
+  double stepOnce(const Advance::Request& request, std::int64_t before,
+                  Advance::Response& response) {
     const WallClock::time_point start = WallClock::now();
     quad_sim::Step::Request step;
     step.steps = request.steps;
@@ -101,11 +107,13 @@ class TimeManagerNode {
   }
 
   // Thesis Fig. 1.5 and section 1.2.4, steps (e) to (j). Returns x^noise = dT_sim − dT_ctrl [s].
-  double runForAWhile(const Advance::Request& request, std::int64_t before, Advance::Response& response) {
+  double runForAWhile(const Advance::Request& request, std::int64_t before,
+                      Advance::Response& response) {
     if (request.hold_steps != 0) {
-      throw quad_support::ConfigError(fmt::format(
-          "hold_steps = {}; must be 0 in wall-clock mode, where the latency is the middleware's own (timing.latency: 0)",
-          request.hold_steps));
+      throw quad_support::ConfigError(
+          fmt::format("hold_steps = {}; must be 0 in wall-clock mode, where the latency is the "
+                      "middleware's own (timing.latency: 0)",
+                      request.hold_steps));
     }
     insist(request.timeout, [&](double timeout) {
       simulator_.read(command_stamp_, timeout);  // the command is in, so unpausing flies with it
@@ -116,13 +124,15 @@ class TimeManagerNode {
     std::this_thread::sleep_for(std::chrono::duration<double>(wait));
     simulator_.pause();
     finish(simulator_.read(ros::Time(), request.timeout), response);
-    const double interval = 1e-9 * static_cast<double>(quad_sim::simulatedTime(command_stamp_) - before);
+    const double interval =
+        1e-9 * static_cast<double>(quad_sim::simulatedTime(command_stamp_) - before);
     manager_.measured(wait, interval);
     return interval - wait;
   }
 
-  // Calls ask(timeout [s]), which needs the controller's command. The first one of a flight may be lost, for the nodes
-  // are still connecting then: nothing has been run, so the state is published again and the same asked once more.
+  // Calls ask(timeout [s]), which needs the controller's command. The first one of a flight may be
+  // lost, for the nodes are still connecting then: nothing has been run, so the state is published
+  // again and the same asked once more.
   template <class Ask>
   void insist(double timeout, const Ask& ask) {
     if (intervals_.count() > 0) return ask(timeout);
@@ -149,7 +159,8 @@ class TimeManagerNode {
   }
 
   void requireFlight() const {
-    if (!flying_) throw quad_support::ConfigError("no flight has begun; call the service begin first");
+    if (!flying_)
+      throw quad_support::ConfigError("no flight has begun; call the service begin first");
   }
 
   template <class Response, class Body>

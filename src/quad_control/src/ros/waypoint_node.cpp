@@ -1,5 +1,6 @@
-// Node waypoint_node: flies a file of waypoints and says how near it came to each. Parameters: ~file (a waypoint a line:
-// seconds after the one before, x y z [m], yaw [degrees]), ~last (seconds given to the last), ~within [m].
+// Node waypoint_node: flies a file of waypoints and says how near it came to each. Parameters:
+// ~file (a waypoint a line: seconds after the one before, x y z [m], yaw [degrees]), ~last (seconds
+// given to the last), ~within [m].
 #include <fmt/format.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
@@ -23,14 +24,16 @@ class WaypointNode {
  public:
   WaypointNode(std::vector<Waypoint> waypoints, double last, double within)
       : waypoints_(std::move(waypoints)), last_ns_(std::llround(last * 1e9)), within_(within) {
-    trajectory_pub_ = handle_.advertise<trajectory_msgs::MultiDOFJointTrajectory>("command/trajectory", 1, /*latch=*/true);
+    trajectory_pub_ = handle_.advertise<trajectory_msgs::MultiDOFJointTrajectory>(
+        "command/trajectory", 1, /*latch=*/true);
     reached_pub_ = handle_.advertise<std_msgs::UInt32>("waypoints_reached", 1, /*latch=*/true);
     odometry_sub_ = handle_.subscribe("odometry", 100, &WaypointNode::onOdometry, this);
   }
 
   /// @returns the exit code: 0 if every waypoint was reached, else 4
   int fly() {
-    while (trajectory_pub_.getNumSubscribers() == 0 || odometry_sub_.getNumPublishers() == 0) wait();
+    while (trajectory_pub_.getNumSubscribers() == 0 || odometry_sub_.getNumPublishers() == 0)
+      wait();
     trajectory_pub_.publish(toMsg(waypoints_));
     std_srvs::Empty unpause;
     while (!ros::service::call("/gazebo/unpause_physics", unpause)) wait();
@@ -55,7 +58,8 @@ class WaypointNode {
 
   /// When a waypoint should have been reached: when the next one begins.
   std::int64_t endOf(std::size_t i) const {
-    return i + 1 < waypoints_.size() ? waypoints_[i + 1].from_start_ns : waypoints_[i].from_start_ns + last_ns_;
+    return i + 1 < waypoints_.size() ? waypoints_[i + 1].from_start_ns
+                                     : waypoints_[i].from_start_ns + last_ns_;
   }
 
   void judge(const quad_sim::Odometry& now) {
@@ -65,8 +69,9 @@ class WaypointNode {
     constexpr double kTurn = 0.1;  // [rad]
     const bool reached = distance <= within_ && std::abs(turn) <= kTurn;
     reached_ += reached ? 1 : 0;
-    fmt::print("waypoint {} ({}, {}, {}): {} at {:.2f} s, {:.3f} m and {:.3f} rad off\n", next_, r.x, r.y, r.z,
-               reached ? "reached" : "MISSED", 1e-9 * static_cast<double>(now.time_ns), distance, turn);
+    fmt::print("waypoint {} ({}, {}, {}): {} at {:.2f} s, {:.3f} m and {:.3f} rad off\n", next_,
+               r.x, r.y, r.z, reached ? "reached" : "MISSED",
+               1e-9 * static_cast<double>(now.time_ns), distance, turn);
     std::fflush(stdout);
     std_msgs::UInt32 count;
     count.data = static_cast<std::uint32_t>(reached_);
@@ -90,8 +95,10 @@ double positive(const std::string& name, double fallback) {
 
 int run() {
   std::string path;
-  if (!ros::param::get("~file", path)) throw quad_support::ConfigError("parameter ~file is missing: a file of waypoints");
-  WaypointNode node(readWaypoints(quad_support::readFile(path), path), positive("last", 25.0), positive("within", 0.15));
+  if (!ros::param::get("~file", path))
+    throw quad_support::ConfigError("parameter ~file is missing: a file of waypoints");
+  WaypointNode node(readWaypoints(quad_support::readFile(path), path), positive("last", 25.0),
+                    positive("within", 0.15));
   return node.fly();
 }
 

@@ -12,12 +12,13 @@
 
 namespace quad_sim {
 
-/// One reading, axes of the sensor. Specific force is acceleration minus gravity: +g along z at rest (REP 145).
+/// One reading, axes of the sensor. Specific force is acceleration minus gravity: +g along z at
+/// rest (REP 145).
 struct ImuReading {
   std::int64_t time_ns = 0;
-  Eigen::Quaterniond q_WS = Eigen::Quaterniond::Identity();     ///< true attitude: no IMU measures it
-  Eigen::Vector3d rate_S = Eigen::Vector3d::Zero();             ///< [rad/s]
-  Eigen::Vector3d specific_force_S = Eigen::Vector3d::Zero();   ///< [m/s²]
+  Eigen::Quaterniond q_WS = Eigen::Quaterniond::Identity();  ///< true attitude: no IMU measures it
+  Eigen::Vector3d rate_S = Eigen::Vector3d::Zero();          ///< [rad/s]
+  Eigen::Vector3d specific_force_S = Eigen::Vector3d::Zero();  ///< [m/s²]
 };
 
 /// Noise of gyroscopes or accelerometers, the same for the three axes; [x] is rad/s or m/s².
@@ -30,22 +31,24 @@ struct InertialNoise {
 
 /// Adds the noise of an IMU to the truth.
 ///
-/// Once a sample period P (1 / updateRate, or RotorS's 10 ms): white noise of density / √P; a first-order Gauss-Markov
-/// bias b' = b exp(-P/tau) + sigma sqrt(tau/2 (1 - exp(-2P/tau))) n that starts at 0; a constant turn-on bias. All of it
-/// is a function of (seed, sensor, sample): reading seldom, twice or backwards changes nothing.
+/// Once a sample period P (1 / updateRate, or RotorS's 10 ms): white noise of density / √P; a
+/// first-order Gauss-Markov bias b' = b exp(-P/tau) + sigma sqrt(tau/2 (1 - exp(-2P/tau))) n that
+/// starts at 0; a constant turn-on bias. All of it is a function of (seed, sensor, sample): reading
+/// seldom, twice or backwards changes nothing.
 class ImuSensor {
  public:
   /// @param identity, seed, step  as for OdometrySensor
   /// @param compat  RotorS's ways: covariance of densities, tag gyroscopeRandomWalk not read
   /// @throws quad_support::ConfigError naming element and tag
-  ImuSensor(const SensorModel& model, const std::string& identity, std::uint64_t seed, double step, bool compat);
+  ImuSensor(const SensorModel& model, const std::string& identity, std::uint64_t seed, double step,
+            bool compat);
 
   std::int64_t period() const { return period_; }  ///< physics steps from sample to sample
   /// `truth` in physics step `step`, as sensed with the noise of that step's sample.
   ImuReading sense(const ImuReading& truth, std::int64_t step);
 
-  double rateVariance() const { return rate_.variance; }           ///< [rad²/s²]
-  double forceVariance() const { return force_.variance; }         ///< [m²/s⁴]
+  double rateVariance() const { return rate_.variance; }    ///< [rad²/s²]
+  double forceVariance() const { return force_.variance; }  ///< [m²/s⁴]
 
  private:
   /// Three axes of gyroscopes or accelerometers.
@@ -63,6 +66,7 @@ class ImuSensor {
 };
 
 /// Reads the noise of one triad. @param prefix "gyroscope" or "accelerometer"
-InertialNoise readInertialNoise(const PluginDeclaration& declaration, const std::string& prefix, bool compat);
+InertialNoise readInertialNoise(const PluginDeclaration& declaration, const std::string& prefix,
+                                bool compat);
 
 }  // namespace quad_sim

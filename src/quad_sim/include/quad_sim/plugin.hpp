@@ -69,11 +69,13 @@ class Plugin {
   /// Writes its part of the state.
   virtual void save(VehicleState& state) const = 0;
 
-  /// Passes everything the plugin carries from one step to the next through the archive, in a fixed order, whichever
-  /// way it goes: after loading, the plugin continues bit for bit where it was saved. Nothing to do without a memory.
+  /// Passes everything the plugin carries from one step to the next through the archive, in a fixed
+  /// order, whichever way it goes: after loading, the plugin continues bit for bit where it was
+  /// saved. Nothing to do without a memory.
   virtual void archive(StateArchive& /*archive*/) {}
 
-  /// Force from outside the vehicle during the last step [N], world axes, to be told to users; a part of what step() added.
+  /// Force from outside the vehicle during the last step [N], world axes, to be told to users; a
+  /// part of what step() added.
   virtual Eigen::Vector3d outsideForce() const { return Eigen::Vector3d::Zero(); }
 
   /// Angular momentum now of turning parts relative to the body [N m s], body axes.

@@ -25,8 +25,9 @@ struct RotorsQuirks {
                                        ///< their first step then has dt < 0
   bool world_reset_keeps_rotors =
       false;  ///< resetWorld() resets poses and velocities only: rotors and commands go on
-  bool stamp_ahead = false;     ///< measurements carry the time of the step after the one they show
-  bool sensor_reports = false;  ///< sensors' covariances, tags and stamps as RotorS's plugins have them
+  bool stamp_ahead = false;  ///< measurements carry the time of the step after the one they show
+  bool sensor_reports =
+      false;  ///< sensors' covariances, tags and stamps as RotorS's plugins have them
   bool aliasing_blind = false;  ///< the warning of aliasing looks at the slowed, signed speed:
                                 ///< never for clockwise rotors
 

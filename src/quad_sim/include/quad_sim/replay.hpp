@@ -16,18 +16,21 @@ struct TimedCommand {
   std::vector<double> rotor_speed;
 };
 
-/// Columns t,w0,w1,… with one w for each rotor, t [s] rising. @throws quad_support::DataError naming line and column
+/// Columns t,w0,w1,… with one w for each rotor, t [s] rising. @throws quad_support::DataError
+/// naming line and column
 std::vector<TimedCommand> readCommands(const quad_support::CsvTable& table, std::size_t rotors);
 
-/// One row with columns x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,w0,w1,…: position [m] of base_link's origin and its velocity
-/// [m/s] in world axes, body rates [rad/s], rotor speeds [rad/s]. @throws quad_support::DataError
+/// One row with columns x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,w0,w1,…: position [m] of base_link's
+/// origin and its velocity [m/s] in world axes, body rates [rad/s], rotor speeds [rad/s]. @throws
+/// quad_support::DataError
 VehicleState readState(const quad_support::CsvTable& table, std::size_t rotors);
 
-/// Flies the commands from the simulator's present state and returns the states as CSV: t, then readState()'s columns;
-/// a row every `every` physics steps from now on, and one at the end. Rotors stand still before the first command.
+/// Flies the commands from the simulator's present state and returns the states as CSV: t, then
+/// readState()'s columns; a row every `every` physics steps from now on, and one at the end. Rotors
+/// stand still before the first command.
 /// @param steps  physics steps, >= 0
 /// @param every  >= 1
-std::string replay(Simulator& simulator, const std::vector<TimedCommand>& commands, std::int64_t steps,
-                   std::int64_t every);
+std::string replay(Simulator& simulator, const std::vector<TimedCommand>& commands,
+                   std::int64_t steps, std::int64_t every);
 
 }  // namespace quad_sim

@@ -20,8 +20,8 @@ struct SimulationConfig {
   std::optional<double> mass;      ///< total [kg]; nullopt keeps the URDF's
   std::optional<WindConfig> wind;  ///< in place of the URDF's; nullopt keeps the URDF's
   SimulatorOptions options;
-  double initial_altitude = 0;     ///< of base_link's origin [m]
-  VehicleModel model;              ///< loadVehicle() of the above
+  double initial_altitude = 0;  ///< of base_link's origin [m]
+  VehicleModel model;           ///< loadVehicle() of the above
 };
 
 /// Reads and checks both sections; unknown keys are errors.
@@ -38,9 +38,10 @@ VehicleModel loadVehicle(const SimulationConfig& config);
 /// A simulator at the configured start: equilibrium() at initial_altitude.
 Simulator makeSimulator(const SimulationConfig& config, const VehicleModel& model);
 
-/// Where a URDF named in a configuration file is: an absolute path as it stands; else beside the configuration file;
-/// else in a folder `urdf` or `share/quad_sim/urdf` beside or above this library (that is build/urdf when it runs from
-/// the build, and the installed models when installed). Empty if it is nowhere.
+/// Where a URDF named in a configuration file is: an absolute path as it stands; else beside the
+/// configuration file; else in a folder `urdf` or `share/quad_sim/urdf` beside or above this
+/// library (that is build/urdf when it runs from the build, and the installed models when
+/// installed). Empty if it is nowhere.
 std::string findUrdf(const std::string& name, const std::string& config_folder);
 
 }  // namespace quad_sim

@@ -115,8 +115,7 @@ void BagRecorder::listen() {
       [this](const sensor_msgs::Imu::ConstPtr& message) {
         write(settings_.imu, toNanoseconds(message->header.stamp), *message);
       };
-  subscribers_.push_back(
-      topics_.subscribe<sensor_msgs::Imu>(full(settings_.imu), kBagQueue, take));
+  subscribers_.push_back(topics_.subscribe<sensor_msgs::Imu>(full(settings_.imu), kBagQueue, take));
   listenTo<trajectory_msgs::MultiDOFJointTrajectory>(settings_.trajectory);
   listenTo<geometry_msgs::PoseStamped>(settings_.command_pose);
   listenTo<mav_msgs::AttitudeThrust>(settings_.attitude_thrust);

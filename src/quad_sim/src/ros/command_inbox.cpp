@@ -6,7 +6,8 @@
 namespace quad_sim {
 
 void CommandInbox::put(std::int64_t stamp_ns, ArrivedCommand command) {
-  constexpr std::size_t kKept = 64;  // a controller is at most a few intervals ahead of or behind the simulator
+  constexpr std::size_t kKept =
+      64;  // a controller is at most a few intervals ahead of or behind the simulator
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (command.problem.empty()) latest_ = command;

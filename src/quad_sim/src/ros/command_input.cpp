@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "quad_sim_ros/conversions.hpp"
-#include "vehicle_topics.hpp"
 #include "quad_support/number_format.hpp"
+#include "vehicle_topics.hpp"
 
 namespace quad_sim {
 
@@ -24,9 +24,12 @@ CommandInput::CommandInput(Simulator& simulator, const std::string& name, WorldG
   constexpr int kQueueLength = 10;
   const std::string ns = "/" + name + "/";
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
-  command_sub_ = handle.subscribe(ns + "command/motor_speed", kQueueLength, &CommandInput::onCommand, this, hints);
-  relay_sub_ = handle.subscribe(ns + "gazebo/command/motor_speed", kQueueLength, &CommandInput::onRelayed, this, hints);
-  wind_sub_ = handle.subscribe(ns + windSpeedTopic(simulator.model()), 1, &CommandInput::onWind, this);
+  command_sub_ = handle.subscribe(ns + "command/motor_speed", kQueueLength,
+                                  &CommandInput::onCommand, this, hints);
+  relay_sub_ = handle.subscribe(ns + "gazebo/command/motor_speed", kQueueLength,
+                                &CommandInput::onRelayed, this, hints);
+  wind_sub_ =
+      handle.subscribe(ns + windSpeedTopic(simulator.model()), 1, &CommandInput::onWind, this);
 }
 
 void CommandInput::stop() {
@@ -59,9 +62,11 @@ std::string CommandInput::problemOf(const mav_msgs::Actuators& message) {
   ++tally_.received;
   if (speeds.size() != max_speed_.size()) {
     ++tally_.wrong_length;
-    return tally_.last_problem = fmt::format("{} rotor speeds; the vehicle has {} rotors", speeds.size(), max_speed_.size());
+    return tally_.last_problem = fmt::format("{} rotor speeds; the vehicle has {} rotors",
+                                             speeds.size(), max_speed_.size());
   }
-  const bool finite = std::all_of(speeds.begin(), speeds.end(), [](double w) { return std::isfinite(w); });
+  const bool finite =
+      std::all_of(speeds.begin(), speeds.end(), [](double w) { return std::isfinite(w); });
   if (!finite) {
     ++tally_.not_finite;
     tally_.last_problem = "a rotor speed is not a finite number";
@@ -70,9 +75,10 @@ std::string CommandInput::problemOf(const mav_msgs::Actuators& message) {
   const std::int64_t stamp = toNanoseconds(message.header.stamp);
   if (stamp != 0 && stamp < newest_answered_) {
     ++tally_.late;
-    return tally_.last_problem = fmt::format("late: it answers the odometry of {} s, that of {} s is answered already",
-                                             quad_support::shortest(1e-9 * static_cast<double>(stamp)),
-                                             quad_support::shortest(1e-9 * static_cast<double>(newest_answered_)));
+    return tally_.last_problem = fmt::format(
+               "late: it answers the odometry of {} s, that of {} s is answered already",
+               quad_support::shortest(1e-9 * static_cast<double>(stamp)),
+               quad_support::shortest(1e-9 * static_cast<double>(newest_answered_)));
   }
   if (stamp <= newest_odometry_) newest_answered_ = std::max(newest_answered_, stamp);
   bool negative = false, over = false;
@@ -91,8 +97,8 @@ void CommandInput::onCommand(const mav_msgs::Actuators& message) {
   const ArrivedCommand command{message.angular_velocities, problemOf(message)};
   const bool usable = command.problem.empty();
   if (!usable) {
-    ROS_ERROR_THROTTLE(1.0, "/%s/command/motor_speed refused: %s; the earlier command stays", name_.c_str(),
-                       command.problem.c_str());
+    ROS_ERROR_THROTTLE(1.0, "/%s/command/motor_speed refused: %s; the earlier command stays",
+                       name_.c_str(), command.problem.c_str());
   }
   inbox_.put(toNanoseconds(message.header.stamp), command);
   if (!running_()) return;  // flyLatest() takes it when the world starts to run
@@ -111,7 +117,8 @@ void CommandInput::onWind(const ros::MessageEvent<const rotors_comm::WindSpeed>&
   try {
     simulator_.setWind({v.x, v.y, v.z});
   } catch (const std::invalid_argument& e) {
-    ROS_ERROR_THROTTLE(1.0, "/%s/wind_speed refused: %s; the earlier wind stays", name_.c_str(), e.what());
+    ROS_ERROR_THROTTLE(1.0, "/%s/wind_speed refused: %s; the earlier wind stays", name_.c_str(),
+                       e.what());
   }
 }
 

@@ -20,27 +20,29 @@ namespace quad_sim {
 
 /// What has become of the commands since the last reset.
 struct CommandTally {
-  std::uint64_t received = 0, wrong_length = 0, not_finite = 0, late = 0, negative = 0, over_limit = 0;
+  std::uint64_t received = 0, wrong_length = 0, not_finite = 0, late = 0, negative = 0,
+                over_limit = 0;
   std::string last_problem;
 };
 
-/// Takes commands from <ns>/command/motor_speed, and from <ns>/gazebo/command/motor_speed if others speak there; wind
-/// from <ns>/wind_speed.
+/// Takes commands from <ns>/command/motor_speed, and from <ns>/gazebo/command/motor_speed if others
+/// speak there; wind from <ns>/wind_speed.
 ///
-/// While the world is paused a command waits for the Step that asks for its stamp; while it runs a command acts from the
-/// next physics step on. Of the wrong length, with a speed that is no number, or late: refused, the earlier command stays.
-/// Negative or above the rotor's maximum: flown as the limit (the simulator clamps it). Late is a command that answers an
-/// odometry older than one answered already; a stamp of zero or of the future answers none and is never late.
+/// While the world is paused a command waits for the Step that asks for its stamp; while it runs a
+/// command acts from the next physics step on. Of the wrong length, with a speed that is no number,
+/// or late: refused, the earlier command stays. Negative or above the rotor's maximum: flown as the
+/// limit (the simulator clamps it). Late is a command that answers an odometry older than one
+/// answered already; a stamp of zero or of the future answers none and is never late.
 class CommandInput {
  public:
-  CommandInput(Simulator& simulator, const std::string& name, WorldGate& gate, std::function<bool()> running,
-               ros::NodeHandle& handle);
+  CommandInput(Simulator& simulator, const std::string& name, WorldGate& gate,
+               std::function<bool()> running, ros::NodeHandle& handle);
   ~CommandInput() { stop(); }
   void stop();  ///< no callback from here on, and whoever waits for a command is told so
 
   CommandInbox& inbox() { return inbox_; }
-  void clear();                      ///< forgets what arrived, and the tally
-  void flyLatest();                  ///< hands the latest usable command to the simulator
+  void clear();      ///< forgets what arrived, and the tally
+  void flyLatest();  ///< hands the latest usable command to the simulator
   void published(std::int64_t stamp_ns) { newest_odometry_ = stamp_ns; }
   CommandTally tally() const;
 
@@ -51,8 +53,9 @@ class CommandInput {
   std::string problemOf(const mav_msgs::Actuators& message);  ///< also counts
 
   Simulator& simulator_;
-  std::vector<double> max_speed_;  ///< of the rotors: the simulator itself is for within a visit to the gate
-  bool unchecked_;                 ///< RotorS's way: what is no number is flown, too
+  std::vector<double>
+      max_speed_;   ///< of the rotors: the simulator itself is for within a visit to the gate
+  bool unchecked_;  ///< RotorS's way: what is no number is flown, too
   std::string name_;
   WorldGate& gate_;
   std::function<bool()> running_;

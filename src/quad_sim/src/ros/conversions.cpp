@@ -32,12 +32,15 @@ ros::Time toTime(std::int64_t time_ns) {
   if (time_ns < 0 || time_ns / kSecond > std::numeric_limits<std::uint32_t>::max()) {
     throw std::out_of_range(fmt::format("time {} ns does not fit a ROS stamp", time_ns));
   }
-  return ros::Time(static_cast<std::uint32_t>(time_ns / kSecond), static_cast<std::uint32_t>(time_ns % kSecond));
+  return ros::Time(static_cast<std::uint32_t>(time_ns / kSecond),
+                   static_cast<std::uint32_t>(time_ns % kSecond));
 }
 
 ros::Time toStamp(std::int64_t time_ns) { return toTime(time_ns == 0 ? 1 : time_ns); }
 
-std::int64_t toNanoseconds(const ros::Time& time) { return static_cast<std::int64_t>(time.sec) * kSecond + time.nsec; }
+std::int64_t toNanoseconds(const ros::Time& time) {
+  return static_cast<std::int64_t>(time.sec) * kSecond + time.nsec;
+}
 
 std::int64_t simulatedTime(const ros::Time& stamp) {
   const std::int64_t ns = toNanoseconds(stamp);
@@ -73,8 +76,8 @@ Odometry fromMsg(const nav_msgs::Odometry& message) {
   return out;
 }
 
-mav_msgs::Actuators toMsg(const std::vector<double>& rotor_speed, const VehicleModel& model, std::int64_t time_ns,
-                          const std::string& frame) {
+mav_msgs::Actuators toMsg(const std::vector<double>& rotor_speed, const VehicleModel& model,
+                          std::int64_t time_ns, const std::string& frame) {
   mav_msgs::Actuators out;
   out.header.stamp = toStamp(time_ns);
   out.header.frame_id = frame;
@@ -87,8 +90,9 @@ mav_msgs::Actuators toMsg(const std::vector<double>& rotor_speed, const VehicleM
 
 std::vector<double> rotorSpeeds(const mav_msgs::Actuators& message, const VehicleModel& model) {
   if (message.angular_velocities.size() != model.rotors.size()) {
-    throw quad_support::DataError(fmt::format("motor_speed: {} angular velocities; the vehicle has {} rotors",
-                                              message.angular_velocities.size(), model.rotors.size()));
+    throw quad_support::DataError(
+        fmt::format("motor_speed: {} angular velocities; the vehicle has {} rotors",
+                    message.angular_velocities.size(), model.rotors.size()));
   }
   std::vector<double> out = message.angular_velocities;
   for (std::size_t i = 0; i < out.size(); ++i) out[i] *= model.rotors[i].spin;

@@ -18,14 +18,17 @@ using XmlRpc::XmlRpcValue;
 class Entry {
  public:
   Entry(const std::string& name, XmlRpcValue& value) : name_(name), value_(value) {
-    if (value.getType() != XmlRpcValue::TypeStruct) fail("", "must be a map, such as {x: 1, y: 0, z: 1}");
+    if (value.getType() != XmlRpcValue::TypeStruct)
+      fail("", "must be a map, such as {x: 1, y: 0, z: 1}");
     for (auto& item : value) {
-      const bool known = std::string(" urdf mass x y z yaw hover ").find(" " + item.first + " ") != std::string::npos;
+      const bool known = std::string(" urdf mass x y z yaw hover ").find(" " + item.first + " ") !=
+                         std::string::npos;
       if (!known) fail(item.first, "is no key; there are urdf, mass, x, y, z, yaw, hover");
     }
   }
   [[noreturn]] void fail(const std::string& key, const std::string& problem) const {
-    throw quad_support::ConfigError(fmt::format("parameter ~vehicles/{}{}{}: {}", name_, key.empty() ? "" : "/", key, problem));
+    throw quad_support::ConfigError(
+        fmt::format("parameter ~vehicles/{}{}{}: {}", name_, key.empty() ? "" : "/", key, problem));
   }
   bool has(const std::string& key) { return value_.hasMember(key); }
   double number(const std::string& key, double fallback) {
@@ -53,13 +56,15 @@ class Entry {
   XmlRpcValue& value_;
 };
 
-VehicleSpec specOf(const std::string& name, XmlRpcValue& value, const SimulationConfig& usual, const std::string& folder) {
+VehicleSpec specOf(const std::string& name, XmlRpcValue& value, const SimulationConfig& usual,
+                   const std::string& folder) {
   Entry entry(name, value);
   SimulationConfig config = usual;
   if (entry.has("urdf")) {
     config.urdf = findUrdf(entry.text("urdf", ""), folder);
     config.mass.reset();
-    if (config.urdf.empty()) entry.fail("urdf", "is no file beside the configuration or among the built models");
+    if (config.urdf.empty())
+      entry.fail("urdf", "is no file beside the configuration or among the built models");
   }
   if (entry.has("mass")) config.mass = entry.number("mass", 0);
   const double z = entry.number("z", usual.initial_altitude), yaw = entry.number("yaw", 0);
@@ -68,7 +73,8 @@ VehicleSpec specOf(const std::string& name, XmlRpcValue& value, const Simulation
   spec.start = equilibrium(spec.model, usual.options.gravity, z);
   spec.start.p_WB.head<2>() << entry.number("x", 0), entry.number("y", 0);
   spec.start.q_WB = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ());
-  if (!entry.boolean("hover", true)) spec.start.rotor_speed.assign(spec.start.rotor_speed.size(), 0.0);
+  if (!entry.boolean("hover", true))
+    spec.start.rotor_speed.assign(spec.start.rotor_speed.size(), 0.0);
   return spec;
 }
 
@@ -76,7 +82,8 @@ std::uint64_t readSeed(const ros::NodeHandle& own, std::uint64_t fallback) {
   XmlRpcValue value;
   if (!own.getParam("seed", value)) return fallback;
   const int seed = value.getType() == XmlRpcValue::TypeInt ? static_cast<int>(value) : -1;
-  if (seed < 0) throw quad_support::ConfigError("parameter ~seed must be a whole number in 0..2147483647");
+  if (seed < 0)
+    throw quad_support::ConfigError("parameter ~seed must be a whole number in 0..2147483647");
   return static_cast<std::uint64_t>(seed);
 }
 
@@ -87,15 +94,18 @@ std::vector<VehicleSpec> readFleet(const ros::NodeHandle& own, const std::string
   usual.options.seed = readSeed(own, usual.options.seed);
   XmlRpcValue vehicles;
   if (!own.getParam("vehicles", vehicles)) {
-    const VehicleState start = equilibrium(usual.model, usual.options.gravity, usual.initial_altitude);
+    const VehicleState start =
+        equilibrium(usual.model, usual.options.gravity, usual.initial_altitude);
     return {{usual.vehicle_namespace, usual.model, usual.options, start}};
   }
   if (vehicles.getType() != XmlRpcValue::TypeStruct || vehicles.size() == 0) {
-    throw quad_support::ConfigError("parameter ~vehicles must be a map from namespace to {x, y, z, yaw, urdf, mass, hover}");
+    throw quad_support::ConfigError(
+        "parameter ~vehicles must be a map from namespace to {x, y, z, yaw, urdf, mass, hover}");
   }
   const std::string folder = config_path.substr(0, config_path.rfind('/') + 1);
   std::vector<VehicleSpec> fleet;
-  for (auto& item : vehicles) fleet.push_back(specOf(item.first, item.second, usual, folder));  // a std::map: by name
+  for (auto& item : vehicles)
+    fleet.push_back(specOf(item.first, item.second, usual, folder));  // a std::map: by name
   return fleet;
 }
 

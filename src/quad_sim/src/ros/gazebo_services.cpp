@@ -19,8 +19,10 @@ GazeboServices::GazeboServices(SimWorld& world, ros::NodeHandle& handle) : world
       handle.advertiseService("/gazebo/reset_world", &Self::onResetWorld, this),
       handle.advertiseService("/gazebo/reset_simulation", &Self::onResetSimulation, this),
       handle.advertiseService("/gazebo/get_world_properties", &Self::onGetWorldProperties, this),
-      handle.advertiseService("/gazebo/get_physics_properties", &Self::onGetPhysicsProperties, this),
-      handle.advertiseService("/gazebo/set_physics_properties", &Self::onSetPhysicsProperties, this),
+      handle.advertiseService("/gazebo/get_physics_properties", &Self::onGetPhysicsProperties,
+                              this),
+      handle.advertiseService("/gazebo/set_physics_properties", &Self::onSetPhysicsProperties,
+                              this),
   };
 }
 
@@ -74,14 +76,17 @@ bool GazeboServices::onGetPhysicsProperties(gazebo_msgs::GetPhysicsProperties::R
 
 namespace {
 
-/// What of a request this simulator cannot do; empty if nothing. The settings of ODE's solver are not among it: ours needs none.
+/// What of a request this simulator cannot do; empty if nothing. The settings of ODE's solver are
+/// not among it: ours needs none.
 std::string impossible(const gazebo_msgs::SetPhysicsProperties::Request& request) {
   const auto& g = request.gravity;
   if (g.x != 0 || g.y != 0 || !(g.z <= 0)) {
-    return fmt::format("gravity = ({}, {}, {}) m/s^2; must be (0, 0, <= 0)", shortest(g.x), shortest(g.y), shortest(g.z));
+    return fmt::format("gravity = ({}, {}, {}) m/s^2; must be (0, 0, <= 0)", shortest(g.x),
+                       shortest(g.y), shortest(g.z));
   }
   if (!(request.max_update_rate >= 0) || std::isinf(request.max_update_rate)) {
-    return fmt::format("max_update_rate = {} Hz; must be >= 0 (0: as fast as possible)", shortest(request.max_update_rate));
+    return fmt::format("max_update_rate = {} Hz; must be >= 0 (0: as fast as possible)",
+                       shortest(request.max_update_rate));
   }
   return "";
 }
@@ -94,7 +99,8 @@ bool GazeboServices::onSetPhysicsProperties(gazebo_msgs::SetPhysicsProperties::R
   if (!response.status_message.empty()) return true;
   const WorldGate::Visit visit(world_.gate());
   try {
-    world_.setPhysics(request.time_step, -request.gravity.z, request.max_update_rate * request.time_step);
+    world_.setPhysics(request.time_step, -request.gravity.z,
+                      request.max_update_rate * request.time_step);
     world_.publish();
     response.success = true;
     response.status_message = "physics engine updated";

@@ -13,7 +13,8 @@
 
 namespace quad_sim {
 
-/// /gazebo/pause_physics and its siblings. Like Gazebo's, a call that cannot be fulfilled succeeds and says success: false.
+/// /gazebo/pause_physics and its siblings. Like Gazebo's, a call that cannot be fulfilled succeeds
+/// and says success: false.
 class GazeboServices {
  public:
   GazeboServices(SimWorld& world, ros::NodeHandle& handle);
@@ -24,9 +25,12 @@ class GazeboServices {
   bool onUnpause(Empty::Request&, Empty::Response&);
   bool onResetWorld(Empty::Request&, Empty::Response&);
   bool onResetSimulation(Empty::Request&, Empty::Response&);
-  bool onGetWorldProperties(gazebo_msgs::GetWorldProperties::Request&, gazebo_msgs::GetWorldProperties::Response&);
-  bool onGetPhysicsProperties(gazebo_msgs::GetPhysicsProperties::Request&, gazebo_msgs::GetPhysicsProperties::Response&);
-  bool onSetPhysicsProperties(gazebo_msgs::SetPhysicsProperties::Request&, gazebo_msgs::SetPhysicsProperties::Response&);
+  bool onGetWorldProperties(gazebo_msgs::GetWorldProperties::Request&,
+                            gazebo_msgs::GetWorldProperties::Response&);
+  bool onGetPhysicsProperties(gazebo_msgs::GetPhysicsProperties::Request&,
+                              gazebo_msgs::GetPhysicsProperties::Response&);
+  bool onSetPhysicsProperties(gazebo_msgs::SetPhysicsProperties::Request&,
+                              gazebo_msgs::SetPhysicsProperties::Response&);
 
   SimWorld& world_;
   std::vector<ros::ServiceServer> servers_;

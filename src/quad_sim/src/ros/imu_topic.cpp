@@ -7,7 +7,10 @@ namespace quad_sim {
 
 ImuTopic::ImuTopic(const SensorModel& model, const Simulator& simulator, const std::string& vehicle,
                    ros::NodeHandle& handle)
-    : model_(model), simulator_(simulator), identity_(vehicle + "/" + model.topic), frame_(frameOf(model.declaration, model.frame, vehicle)) {
+    : model_(model),
+      simulator_(simulator),
+      identity_(vehicle + "/" + model.topic),
+      frame_(frameOf(model.declaration, model.frame, vehicle)) {
   renew();
   constexpr int kQueueLength = 10;
   publisher_ = handle.advertise<sensor_msgs::Imu>("/" + vehicle + "/" + model.topic, kQueueLength);
@@ -15,7 +18,8 @@ ImuTopic::ImuTopic(const SensorModel& model, const Simulator& simulator, const s
 
 void ImuTopic::renew() {
   const SimulatorOptions& o = simulator_.options();
-  sensor_ = std::make_unique<ImuSensor>(model_, identity_, o.seed, o.step, o.allQuirks().sensor_reports);
+  sensor_ =
+      std::make_unique<ImuSensor>(model_, identity_, o.seed, o.step, o.allQuirks().sensor_reports);
 }
 
 std::int64_t ImuTopic::nextEvent(std::int64_t step) const {
@@ -33,7 +37,8 @@ void ImuTopic::atEvent(std::int64_t step) {
   out.orientation.x = r.q_WS.x();
   out.orientation.y = r.q_WS.y();
   out.orientation.z = r.q_WS.z();
-  // The orientation is the true one, which no IMU measures. All zeros: of unknown covariance; RotorS says "not there".
+  // The orientation is the true one, which no IMU measures. All zeros: of unknown covariance;
+  // RotorS says "not there".
   if (simulator_.options().allQuirks().sensor_reports) out.orientation_covariance.assign(-1.0);
   out.angular_velocity.x = r.rate_S.x();
   out.angular_velocity.y = r.rate_S.y();

@@ -16,10 +16,12 @@ namespace quad_sim {
 /// Publishes an IMU's readings at its own instants, while somebody listens.
 class ImuTopic {
  public:
-  ImuTopic(const SensorModel& model, const Simulator& simulator, const std::string& vehicle, ros::NodeHandle& handle);
+  ImuTopic(const SensorModel& model, const Simulator& simulator, const std::string& vehicle,
+           ros::NodeHandle& handle);
 
-  void renew();                                     ///< for a physics step of another length
-  std::int64_t nextEvent(std::int64_t step) const;  ///< after `step`; OdometryTopics::kNever if nobody listens
+  void renew();  ///< for a physics step of another length
+  std::int64_t nextEvent(
+      std::int64_t step) const;  ///< after `step`; OdometryTopics::kNever if nobody listens
   void atEvent(std::int64_t step);
 
  private:

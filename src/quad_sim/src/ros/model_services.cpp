@@ -24,7 +24,9 @@ bool ModelServices::onGetModelState(gazebo_msgs::GetModelState::Request& request
   Vehicle* const vehicle = world_.find(request.model_name);
   Vehicle* const other = world_.find(request.relative_entity_name);
   if (!vehicle || (!other && !isWorld(request.relative_entity_name))) {
-    response.status_message = "GetModelState: " + world_.nobody(vehicle ? request.relative_entity_name : request.model_name);
+    response.status_message =
+        "GetModelState: " +
+        world_.nobody(vehicle ? request.relative_entity_name : request.model_name);
     return true;
   }
   ModelState state = modelState(vehicle->simulator.state());
@@ -61,7 +63,8 @@ bool ModelServices::onSetModelState(gazebo_msgs::SetModelState::Request& request
                                     gazebo_msgs::SetModelState::Response& response) {
   const std::string problem = set(request.model_state);
   response.success = problem.empty();
-  response.status_message = "SetModelState: " + (problem.empty() ? "set model state done" : problem);
+  response.status_message =
+      "SetModelState: " + (problem.empty() ? "set model state done" : problem);
   return true;
 }
 
@@ -70,8 +73,10 @@ void ModelServices::onModelState(const gazebo_msgs::ModelState& wanted) {
   if (!problem.empty()) ROS_ERROR("/gazebo/set_model_state: %s", problem.c_str());
 }
 
-bool ModelServices::onCommandReport(CommandReport::Request& request, CommandReport::Response& response) {
-  Vehicle* const vehicle = request.model_name.empty() ? &world_.first() : world_.find(request.model_name);
+bool ModelServices::onCommandReport(CommandReport::Request& request,
+                                    CommandReport::Response& response) {
+  Vehicle* const vehicle =
+      request.model_name.empty() ? &world_.first() : world_.find(request.model_name);
   if (!vehicle) {
     response.message = world_.nobody(request.model_name);
     return true;
@@ -95,7 +100,8 @@ bool ModelServices::onSaveState(SaveState::Request&, SaveState::Response& respon
   return true;
 }
 
-bool ModelServices::onRestoreState(RestoreState::Request& request, RestoreState::Response& response) {
+bool ModelServices::onRestoreState(RestoreState::Request& request,
+                                   RestoreState::Response& response) {
   const WorldGate::Visit visit(world_.gate());
   try {
     world_.restore(request.state);

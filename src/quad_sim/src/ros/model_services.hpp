@@ -1,4 +1,5 @@
-/// The services of Gazebo's ROS interface that act on one vehicle, and what this simulator adds to them.
+/// The services of Gazebo's ROS interface that act on one vehicle, and what this simulator adds to
+/// them.
 #pragma once
 
 #include <gazebo_msgs/GetModelState.h>
@@ -17,7 +18,8 @@
 
 namespace quad_sim {
 
-/// get_model_state, set_model_state (service and topic), command_report; save_state and restore_state of the whole world.
+/// get_model_state, set_model_state (service and topic), command_report; save_state and
+/// restore_state of the whole world.
 class ModelServices {
  public:
   ModelServices(SimWorld& world, ros::NodeHandle& handle);
@@ -30,7 +32,8 @@ class ModelServices {
   bool onSaveState(SaveState::Request&, SaveState::Response&);
   bool onRestoreState(RestoreState::Request&, RestoreState::Response&);
 
-  std::string set(const gazebo_msgs::ModelState& wanted);  ///< what went wrong; empty if nothing did
+  std::string set(
+      const gazebo_msgs::ModelState& wanted);  ///< what went wrong; empty if nothing did
 
   SimWorld& world_;
   std::map<std::string, unsigned> sequence_;  ///< of get_model_state's answers, by model

@@ -18,13 +18,14 @@ ModelState modelState(const VehicleState& s) { return {s.p_WB, s.q_WB, s.v_WB, s
 
 ModelState relativeTo(const ModelState& other, const ModelState& state) {
   const Eigen::Quaterniond back = other.attitude.conjugate();
-  return {back * (state.position - other.position), back * state.attitude, back * (state.velocity - other.velocity),
-          back * (state.rate - other.rate)};
+  return {back * (state.position - other.position), back * state.attitude,
+          back * (state.velocity - other.velocity), back * (state.rate - other.rate)};
 }
 
 ModelState fromFrame(const ModelState& frame, const ModelState& given) {
   const Eigen::Quaterniond& q = frame.attitude;
-  return {frame.position + q * given.position, q * given.attitude, q * given.velocity, q * given.rate};
+  return {frame.position + q * given.position, q * given.attitude, q * given.velocity,
+          q * given.rate};
 }
 
 VehicleState moved(VehicleState state, const ModelState& to) {
@@ -39,8 +40,8 @@ ModelState linkState(const VehicleState& vehicle, const LinkModel& link) {
   return linkState(vehicle, link, Eigen::Vector3d::UnitZ(), 0, 0);
 }
 
-ModelState linkState(const VehicleState& vehicle, const LinkModel& link, const Eigen::Vector3d& axis_B, double angle,
-                     double speed) {
+ModelState linkState(const VehicleState& vehicle, const LinkModel& link,
+                     const Eigen::Vector3d& axis_B, double angle, double speed) {
   const Eigen::Quaterniond& q = vehicle.q_WB;
   const Eigen::Vector3d& r_B = link.X_BL.translation();
   const Eigen::Quaterniond turned(Eigen::AngleAxisd(angle, axis_B) * link.X_BL.linear());
@@ -78,10 +79,11 @@ ModelState modelState(const geometry_msgs::Pose& pose, const geometry_msgs::Twis
   out.attitude = {pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z};
   out.velocity = {twist.linear.x, twist.linear.y, twist.linear.z};
   out.rate = {twist.angular.x, twist.angular.y, twist.angular.z};
-  const bool finite = out.position.allFinite() && out.attitude.coeffs().allFinite() && out.velocity.allFinite() &&
-                      out.rate.allFinite();
+  const bool finite = out.position.allFinite() && out.attitude.coeffs().allFinite() &&
+                      out.velocity.allFinite() && out.rate.allFinite();
   if (!finite) throw std::invalid_argument("every number of pose and twist must be finite");
-  if (!(out.attitude.norm() > 1e-6)) throw std::invalid_argument("the orientation must not be zero");
+  if (!(out.attitude.norm() > 1e-6))
+    throw std::invalid_argument("the orientation must not be zero");
   out.attitude.normalize();
   return out;
 }

@@ -1,4 +1,5 @@
-/// A vehicle's state as Gazebo tells it: pose and twist of base_link's origin, both in one frame's axes.
+/// A vehicle's state as Gazebo tells it: pose and twist of base_link's origin, both in one frame's
+/// axes.
 #pragma once
 
 #include <geometry_msgs/Pose.h>
@@ -19,9 +20,11 @@ struct ModelState {
 };
 
 ModelState modelState(const VehicleState& state);  ///< in the world
-/// `state` as seen from another vehicle: relative pose, velocities less the other's, in the other's axes.
+/// `state` as seen from another vehicle: relative pose, velocities less the other's, in the other's
+/// axes.
 ModelState relativeTo(const ModelState& other, const ModelState& state);
-/// A pose and twist given in the axes and from the place of `frame`, in the world. The frame's own motion is not added: so does Gazebo.
+/// A pose and twist given in the axes and from the place of `frame`, in the world. The frame's own
+/// motion is not added: so does Gazebo.
 ModelState fromFrame(const ModelState& frame, const ModelState& given);
 /// `state` moved to that pose and twist; rotors as they are.
 VehicleState moved(VehicleState state, const ModelState& to);
@@ -29,9 +32,10 @@ VehicleState moved(VehicleState state, const ModelState& to);
 /// A link fixed to base_link, in the world: its origin and axes.
 ModelState linkState(const VehicleState& vehicle, const LinkModel& link);
 
-/// The same of a link that turns about `axis_B` (through its origin) by `angle` [rad] with `speed` [rad/s].
-ModelState linkState(const VehicleState& vehicle, const LinkModel& link, const Eigen::Vector3d& axis_B, double angle,
-                     double speed);
+/// The same of a link that turns about `axis_B` (through its origin) by `angle` [rad] with `speed`
+/// [rad/s].
+ModelState linkState(const VehicleState& vehicle, const LinkModel& link,
+                     const Eigen::Vector3d& axis_B, double angle, double speed);
 
 geometry_msgs::Pose poseMsg(const ModelState& state);
 geometry_msgs::Twist twistMsg(const ModelState& state);

@@ -10,14 +10,15 @@
 
 namespace quad_sim {
 
-std::string frameOf(const PluginDeclaration& plugin, const std::string& frame, const std::string& vehicle) {
+std::string frameOf(const PluginDeclaration& plugin, const std::string& frame,
+                    const std::string& vehicle) {
   const std::string made_for = plugin.text("robotNamespace", "");
   if (made_for.empty() || frame.rfind(made_for + "/", 0) != 0) return frame;
   return vehicle + frame.substr(made_for.size());
 }
 
-OdometryTopics::OdometryTopics(const SensorModel& model, const Simulator& simulator, const std::string& vehicle,
-                               ros::NodeHandle& handle, bool primary)
+OdometryTopics::OdometryTopics(const SensorModel& model, const Simulator& simulator,
+                               const std::string& vehicle, ros::NodeHandle& handle, bool primary)
     : model_(model),
       simulator_(simulator),
       identity_(vehicle + "/" + model.topic),
@@ -28,26 +29,33 @@ OdometryTopics::OdometryTopics(const SensorModel& model, const Simulator& simula
   const std::string ns = "/" + vehicle + "/";
   const auto slash = model.topic.rfind('/');
   const std::string folder = slash == std::string::npos ? "" : model.topic.substr(0, slash + 1);
-  const auto name = [&](const char* tag, const char* usual) { return ns + model.declaration.text(tag, folder + usual); };
+  const auto name = [&](const char* tag, const char* usual) {
+    return ns + model.declaration.text(tag, folder + usual);
+  };
   odometry_ = handle.advertise<nav_msgs::Odometry>(ns + model.topic, kQueueLength, primary);
   pose_ = handle.advertise<geometry_msgs::Pose>(name("poseTopic", "pose"), kQueueLength);
   pose_with_covariance_ = handle.advertise<geometry_msgs::PoseWithCovarianceStamped>(
       name("poseWithCovarianceTopic", "pose_with_covariance"), kQueueLength);
-  position_ = handle.advertise<geometry_msgs::PointStamped>(name("positionTopic", "position"), kQueueLength);
-  transform_ = handle.advertise<geometry_msgs::TransformStamped>(name("transformTopic", "transform"), kQueueLength);
+  position_ = handle.advertise<geometry_msgs::PointStamped>(name("positionTopic", "position"),
+                                                            kQueueLength);
+  transform_ = handle.advertise<geometry_msgs::TransformStamped>(
+      name("transformTopic", "transform"), kQueueLength);
 }
 
 void OdometryTopics::renew() {
   const SimulatorOptions& o = simulator_.options();
-  sensor_ = std::make_unique<OdometrySensor>(model_, identity_, o.seed, o.step, o.allQuirks().sensor_reports);
+  sensor_ = std::make_unique<OdometrySensor>(model_, identity_, o.seed, o.step,
+                                             o.allQuirks().sensor_reports);
   delay_ = std::make_unique<OdometryDelay>(*sensor_);
   last_ = nav_msgs::Odometry();
 }
 
 bool OdometryTopics::wanted() const {
   if (primary_) return true;
-  const std::array<const ros::Publisher*, 5> all = {&odometry_, &pose_, &pose_with_covariance_, &position_, &transform_};
-  return std::any_of(all.begin(), all.end(), [](const ros::Publisher* p) { return p->getNumSubscribers() > 0; });
+  const std::array<const ros::Publisher*, 5> all = {&odometry_, &pose_, &pose_with_covariance_,
+                                                    &position_, &transform_};
+  return std::any_of(all.begin(), all.end(),
+                     [](const ros::Publisher* p) { return p->getNumSubscribers() > 0; });
 }
 
 std::int64_t OdometryTopics::nextEvent(std::int64_t step) const {

@@ -1,4 +1,5 @@
-/// The topics of one odometry sensor: odometry and its four siblings, as RotorS's plugin names them.
+/// The topics of one odometry sensor: odometry and its four siblings, as RotorS's plugin names
+/// them.
 #pragma once
 
 #include <nav_msgs/Odometry.h>
@@ -17,8 +18,8 @@ namespace quad_sim {
 
 /// Reads one odometry sensor and publishes the readings.
 ///
-/// An ordinary sensor reads whenever publish() is called. A scheduled one (divisor, delay, update rate) has instants of
-/// its own, and atEvent() must be called at each.
+/// An ordinary sensor reads whenever publish() is called. A scheduled one (divisor, delay, update
+/// rate) has instants of its own, and atEvent() must be called at each.
 class OdometryTopics {
  public:
   /// @param vehicle  namespace, without slashes at its ends
@@ -26,8 +27,9 @@ class OdometryTopics {
   OdometryTopics(const SensorModel& model, const Simulator& simulator, const std::string& vehicle,
                  ros::NodeHandle& handle, bool primary);
 
-  void renew();                                       ///< for a physics step of another length; forgets samples on their way
-  std::int64_t nextEvent(std::int64_t step) const;    ///< after `step`; kNever if it has none or nobody listens
+  void renew();  ///< for a physics step of another length; forgets samples on their way
+  std::int64_t nextEvent(
+      std::int64_t step) const;  ///< after `step`; kNever if it has none or nobody listens
   void atEvent(std::int64_t step, const ros::Publisher& tf);
   /// Nothing if scheduled, or if neither its topics nor /tf are listened to.
   void publish(bool tf_wanted, tf2_msgs::TFMessage& transforms);
@@ -51,7 +53,9 @@ class OdometryTopics {
   ros::Publisher pose_, pose_with_covariance_, position_, transform_;
 };
 
-/// The frame "hummingbird/base_link" of a plugin made for the namespace hummingbird, flown as bee2: "bee2/base_link".
-std::string frameOf(const PluginDeclaration& plugin, const std::string& frame, const std::string& vehicle);
+/// The frame "hummingbird/base_link" of a plugin made for the namespace hummingbird, flown as bee2:
+/// "bee2/base_link".
+std::string frameOf(const PluginDeclaration& plugin, const std::string& frame,
+                    const std::string& vehicle);
 
 }  // namespace quad_sim

@@ -75,7 +75,8 @@ void Pacer::loop() {
         ROS_FATAL("%s; paused", e.what());
         running_ = false;
       }
-      const bool nap = real_time_factor_ > 0 && stepsSince(since_, real_time_factor_, step_) <= done_;  // nothing is due yet
+      const bool nap = real_time_factor_ > 0 &&
+                       stepsSince(since_, real_time_factor_, step_) <= done_;  // nothing is due yet
       lock.unlock();
       if (nap) std::this_thread::sleep_for(kNap);
       while (gate_.wanted()) std::this_thread::yield();

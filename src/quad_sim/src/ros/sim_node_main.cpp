@@ -1,4 +1,5 @@
-// The simulator node. Parameters: ~config, ~publish_every, ~paused, ~vehicles, ~real_time_factor, ~seed; see launch/sim.launch.
+// The simulator node. Parameters: ~config, ~publish_every, ~paused, ~vehicles, ~real_time_factor,
+// ~seed; see launch/sim.launch.
 #include <ros/ros.h>
 
 #include <chrono>
@@ -6,9 +7,9 @@
 #include <stdexcept>
 #include <thread>
 
+#include "fleet.hpp"
 #include "quad_support/interrupt.hpp"
 #include "quad_support/program.hpp"
-#include "fleet.hpp"
 #include "sim_node.hpp"
 
 namespace {
@@ -19,7 +20,8 @@ quad_sim::SimNodeOptions readOptions(const ros::NodeHandle& own, double step) {
   options.publish_every = own.param("publish_every", ten_milliseconds);
   options.real_time_factor = own.param("real_time_factor", 1.0);
   options.paused = own.param("paused", true);
-  if (options.publish_every < 0) throw std::invalid_argument("~publish_every must be >= 0 physics steps");
+  if (options.publish_every < 0)
+    throw std::invalid_argument("~publish_every must be >= 0 physics steps");
   if (!(options.real_time_factor >= 0) || !std::isfinite(options.real_time_factor)) {
     throw std::invalid_argument("~real_time_factor must be >= 0 (0: as fast as possible)");
   }
@@ -31,8 +33,9 @@ int run(int argc, char** argv) {
   const ros::NodeHandle own("~");
   std::string path;
   if (!own.getParam("config", path) || path.empty()) {
-    throw std::invalid_argument("parameter ~config is missing; give the path of a YAML file, for instance "
-                                "roslaunch launch/sim.launch config:=config/thesis.yaml");
+    throw std::invalid_argument(
+        "parameter ~config is missing; give the path of a YAML file, for instance "
+        "roslaunch launch/sim.launch config:=config/thesis.yaml");
   }
   const std::vector<quad_sim::VehicleSpec> fleet = quad_sim::readFleet(own, path);
   const quad_sim::SimNode node(fleet, readOptions(own, fleet.front().options.step));

@@ -13,17 +13,20 @@
 
 namespace quad_sim {
 
-SimWorld::SimWorld(const std::vector<VehicleSpec>& fleet, const SimNodeOptions& options, const ros::NodeHandle& services)
+SimWorld::SimWorld(const std::vector<VehicleSpec>& fleet, const SimNodeOptions& options,
+                   const ros::NodeHandle& services)
     : options_(options),
       services_(services),
-      pacer_(gate_, fleet.at(0).options.step, options.real_time_factor, [this](std::int64_t n) { run(n); }) {
+      pacer_(gate_, fleet.at(0).options.step, options.real_time_factor,
+             [this](std::int64_t n) { run(n); }) {
   constexpr int kQueueLength = 10;
   clock_pub_ = handle_.advertise<rosgraph_msgs::Clock>("/clock", kQueueLength, true);
   models_pub_ = handle_.advertise<gazebo_msgs::ModelStates>("/gazebo/model_states", kQueueLength);
   links_pub_ = handle_.advertise<gazebo_msgs::LinkStates>("/gazebo/link_states", kQueueLength);
   const WorldGate::Visit visit(gate_);  // commands that come meanwhile wait
   handle_.setCallbackQueue(&topic_queue_);
-  for (const VehicleSpec& spec : fleet) vehicles_.push_back(std::make_unique<Vehicle>(spec, surroundings()));
+  for (const VehicleSpec& spec : fleet)
+    vehicles_.push_back(std::make_unique<Vehicle>(spec, surroundings()));
   publish();
   pacer_.setRunning(!options.paused);
 }
@@ -38,11 +41,14 @@ void SimWorld::stopWaiting() {
   for (auto& vehicle : vehicles_) vehicle->commands.inbox().stop();
 }
 
-bool isWorld(const std::string& frame) { return frame.empty() || frame == "world" || frame == "map" || frame == "/map"; }
+bool isWorld(const std::string& frame) {
+  return frame.empty() || frame == "world" || frame == "map" || frame == "/map";
+}
 
 std::string SimWorld::nobody(const std::string& name) const {
   std::string there;
-  for (const auto& vehicle : vehicles_) there += (there.empty() ? "'" : ", '") + vehicle->name + "'";
+  for (const auto& vehicle : vehicles_)
+    there += (there.empty() ? "'" : ", '") + vehicle->name + "'";
   return fmt::format("no model '{}'; in the world there is {}", name, there);
 }
 
@@ -79,7 +85,8 @@ LinkOf SimWorld::findLink(const std::string& name) {
   const auto colons = name.find("::");
   if (colons != std::string::npos) {
     Vehicle* const vehicle = find(name.substr(0, colons));
-    const LinkModel* const link = vehicle ? linkNamed(vehicle->simulator.model(), name.substr(colons + 2)) : nullptr;
+    const LinkModel* const link =
+        vehicle ? linkNamed(vehicle->simulator.model(), name.substr(colons + 2)) : nullptr;
     return link ? LinkOf{vehicle, link} : LinkOf{};
   }
   LinkOf found;
@@ -115,7 +122,8 @@ void SimWorld::add(const VehicleSpec& spec) {
 void SimWorld::remove(Vehicle& vehicle) {
   vehicle.commands.stop();  // before the visit, for it waits for callbacks, and they for the gate
   std::unique_ptr<Vehicle> gone;
-  const auto here = std::find_if(vehicles_.begin(), vehicles_.end(), [&](const auto& v) { return v.get() == &vehicle; });
+  const auto here = std::find_if(vehicles_.begin(), vehicles_.end(),
+                                 [&](const auto& v) { return v.get() == &vehicle; });
   {
     const WorldGate::Visit visit(gate_);
     gone = std::move(*here);
@@ -192,11 +200,13 @@ void SimWorld::reset(bool time_too) {
 
 void SimWorld::setPhysics(double step, double gravity, double real_time_factor) {
   const double before = this->step();
-  for (auto& vehicle : vehicles_) vehicle->simulator.setPhysics(step, gravity);  // all the same: the first refuses for all
+  for (auto& vehicle : vehicles_)
+    vehicle->simulator.setPhysics(step, gravity);  // all the same: the first refuses for all
   for (auto& vehicle : vehicles_) vehicle->topics.renew();
   pacer_.setRate(step, real_time_factor);
   if (options_.publish_every > 0) {
-    options_.publish_every = static_cast<int>(std::max(1.0, std::round(options_.publish_every * before / step)));
+    options_.publish_every =
+        static_cast<int>(std::max(1.0, std::round(options_.publish_every * before / step)));
   }
 }
 

@@ -1,4 +1,5 @@
-/// The simulated world behind the ROS node: its vehicles and its clock, shared by services and pacing.
+/// The simulated world behind the ROS node: its vehicles and its clock, shared by services and
+/// pacing.
 #pragma once
 
 #include <ros/callback_queue_interface.h>
@@ -17,16 +18,19 @@
 
 namespace quad_sim {
 
-/// Runs a callback where it arrives, in roscpp's network thread, instead of waking another thread for it. Only for
-/// callbacks that are short and wait for nothing.
+/// Runs a callback where it arrives, in roscpp's network thread, instead of waking another thread
+/// for it. Only for callbacks that are short and wait for nothing.
 class ImmediateQueue : public ros::CallbackQueueInterface {
  public:
-  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t) override { callback->call(); }
+  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t) override {
+    callback->call();
+  }
   void removeByID(std::uint64_t) override {}
 };
 
 struct SimNodeOptions {
-  int publish_every = 0;        ///< physics steps between publications while unpaused; 0: only when stopped
+  int publish_every =
+      0;  ///< physics steps between publications while unpaused; 0: only when stopped
   double real_time_factor = 1;  ///< simulated over wall time while unpaused; 0: as fast as it goes
   bool paused = true;           ///< at the start
 };
@@ -45,19 +49,24 @@ ModelState linkState(const Vehicle& vehicle, const LinkModel& link);
 /// Whether a service's reference frame means the inertial one.
 bool isWorld(const std::string& frame);
 
-/// Vehicles by name on one clock. All of them move by the same steps, in the order of their names, those that came later last.
+/// Vehicles by name on one clock. All of them move by the same steps, in the order of their names,
+/// those that came later last.
 class SimWorld {
  public:
   /// @param services  handle for the vehicles' own services, which may wait for the gate
-  SimWorld(const std::vector<VehicleSpec>& fleet, const SimNodeOptions& options, const ros::NodeHandle& services);
+  SimWorld(const std::vector<VehicleSpec>& fleet, const SimNodeOptions& options,
+           const ros::NodeHandle& services);
   ~SimWorld();
 
   WorldGate& gate() { return gate_; }
   const std::vector<std::unique_ptr<Vehicle>>& vehicles() { return vehicles_; }
   Vehicle& first() { return *vehicles_.front(); }
-  Vehicle* find(const std::string& name);  ///< by namespace, or by the robot's name if one has it alone; nullptr: nobody
-  std::string nobody(const std::string& name) const;  ///< that find() finds nobody of that name, and who is there
-  /// By "model::link", or "link" if one vehicle alone has it; `link` with or without the model's own prefix.
+  Vehicle* find(const std::string& name);  ///< by namespace, or by the robot's name if one has it
+                                           ///< alone; nullptr: nobody
+  std::string nobody(
+      const std::string& name) const;  ///< that find() finds nobody of that name, and who is there
+  /// By "model::link", or "link" if one vehicle alone has it; `link` with or without the model's
+  /// own prefix.
   LinkOf findLink(const std::string& name);
   bool running() const { return pacer_.running(); }
   /// Takes a vehicle that is not the last one out of the world. Not from within a visit.
@@ -71,13 +80,15 @@ class SimWorld {
   bool ground() { return first().simulator.options().ground; }
   double realTimeFactor() const { return pacer_.realTimeFactor(); }
 
-  /// From now on in the world, at the present time. @throws what a vehicle may be wrong with; nothing has changed then
+  /// From now on in the world, at the present time. @throws what a vehicle may be wrong with;
+  /// nothing has changed then
   void add(const VehicleSpec& spec);
   void advance(std::int64_t steps);  ///< stops where sensors have instants of their own
   void publish();                    ///< the present state on every topic
   void setRunning(bool running);
   void reset(bool time_too);
-  /// Step [s], gravity [m/s²] and real-time factor, from now on. @throws std::invalid_argument; nothing has changed then
+  /// Step [s], gravity [m/s²] and real-time factor, from now on. @throws std::invalid_argument;
+  /// nothing has changed then
   void setPhysics(double step, double gravity, double real_time_factor);
   std::string save();
   /// @throws quad_support::DataError; nothing has changed then

@@ -53,8 +53,9 @@ std::string StepService::collect(const Step::Request& request, std::vector<Order
     if (!world_.find(name)) return fmt::format("wait_for: no vehicle '{}'", name);
   }
   for (const auto& vehicle : world_.vehicles()) {
-    const bool awaited = std::any_of(request.wait_for.begin(), request.wait_for.end(),
-                                     [&](const std::string& name) { return world_.find(name) == vehicle.get(); });
+    const bool awaited =
+        std::any_of(request.wait_for.begin(), request.wait_for.end(),
+                    [&](const std::string& name) { return world_.find(name) == vehicle.get(); });
     CommandInbox& inbox = vehicle->commands.inbox();
     if (stamp == 0 || (!awaited && !request.wait_for.empty())) {
       orders.push_back({vehicle.get(), inbox.latest()});
@@ -81,7 +82,8 @@ std::string StepService::run(const Step::Request& request) {
   if (world_.running()) return kRunning;
   world_.advance(request.hold_steps);
   for (const Order& order : orders) {
-    if (order.command && request.steps > 0) order.vehicle->simulator.setCommand(order.command->rotor_speed);
+    if (order.command && request.steps > 0)
+      order.vehicle->simulator.setCommand(order.command->rotor_speed);
   }
   world_.advance(request.steps - request.hold_steps);
   world_.publish();

@@ -26,7 +26,8 @@ class StepService {
     Vehicle* vehicle;
     std::optional<ArrivedCommand> command;
   };
-  std::string collect(const Step::Request& request, std::vector<Order>& orders);  ///< waits; what went wrong
+  std::string collect(const Step::Request& request,
+                      std::vector<Order>& orders);  ///< waits; what went wrong
   std::string groundMessage();
 
   SimWorld& world_;

@@ -52,7 +52,8 @@ std::string windSpeedTopic(const VehicleModel& model) {
   return wind ? wind->text("windSpeedPubTopic", "wind_speed") : "wind_speed";
 }
 
-VehicleTopics::VehicleTopics(const Simulator& simulator, const std::string& name, ros::NodeHandle& n)
+VehicleTopics::VehicleTopics(const Simulator& simulator, const std::string& name,
+                             ros::NodeHandle& n)
     : simulator_(simulator), name_(name) {
   constexpr int kQueueLength = 10;
   const VehicleModel& model = simulator.model();
@@ -64,7 +65,8 @@ VehicleTopics::VehicleTopics(const Simulator& simulator, const std::string& name
   wind_pub_ = n.advertise<rotors_comm::WindSpeed>(ns + windSpeedTopic(model), kQueueLength);
   if (wind) {
     const std::string usual = wind->text("windPubTopic", "external_force");  // the tag's older name
-    force_pub_ = n.advertise<geometry_msgs::WrenchStamped>(ns + wind->text("windForcePubTopic", usual), kQueueLength);
+    force_pub_ = n.advertise<geometry_msgs::WrenchStamped>(
+        ns + wind->text("windForcePubTopic", usual), kQueueLength);
     force_frame_ = forceFrame(model, name);
   }
   tf_pub_ = n.advertise<tf2_msgs::TFMessage>("/tf", 100);
@@ -72,16 +74,18 @@ VehicleTopics::VehicleTopics(const Simulator& simulator, const std::string& name
     if (sensor.kind == SensorModel::Kind::kImu) {
       imus_.push_back(std::make_unique<ImuTopic>(sensor, simulator, name, n));
     } else {
-      odometry_.push_back(std::make_unique<OdometryTopics>(sensor, simulator, name, n, odometry_.empty()));
+      odometry_.push_back(
+          std::make_unique<OdometryTopics>(sensor, simulator, name, n, odometry_.empty()));
     }
   }
   if (odometry_.empty()) {
-    throw std::invalid_argument(name + ": no odometry sensor; controllers over ROS need one "
+    throw std::invalid_argument(name +
+                                ": no odometry sensor; controllers over ROS need one "
                                 "(librotors_gazebo_odometry_plugin.so)");
   }
   for (const RotorModel& rotor : model.rotors) {
-    rotor_pubs_.push_back(n.advertise<std_msgs::Float32>(fmt::format("{}motor_speed/{}", ns, rotor.motor_number),
-                                                         kQueueLength));
+    rotor_pubs_.push_back(n.advertise<std_msgs::Float32>(
+        fmt::format("{}motor_speed/{}", ns, rotor.motor_number), kQueueLength));
   }
   start();
 }
@@ -115,25 +119,28 @@ void VehicleTopics::atEvent() {
 
 void VehicleTopics::publish() {
   const std::vector<double> speed = simulator_.measure().rotor_speed;
-  last_motor_speed_ = toMsg(speed, simulator_.model(), simulator_.timeNanoseconds(), name_ + "/base_link");
+  last_motor_speed_ =
+      toMsg(speed, simulator_.model(), simulator_.timeNanoseconds(), name_ + "/base_link");
   motor_speed_pub_.publish(last_motor_speed_);
   const bool tf_wanted = tf_pub_.getNumSubscribers() > 0;
   tf2_msgs::TFMessage transforms;
-  for (auto& sensor : odometry_) sensor->publish(tf_wanted, transforms);  // after the motor speeds: controllers start on them
+  for (auto& sensor : odometry_)
+    sensor->publish(tf_wanted, transforms);  // after the motor speeds: controllers start on them
   if (tf_wanted && !transforms.transforms.empty()) tf_pub_.publish(transforms);
   turnRotors(speed);
   publishRotors(speed);
   publishHeld();
 }
 
-/// The angles of the joints that RotorS turns `slowdown` times slower; between publications the speed counts as changing
-/// evenly. For drawing: nothing in the physics needs them.
+/// The angles of the joints that RotorS turns `slowdown` times slower; between publications the
+/// speed counts as changing evenly. For drawing: nothing in the physics needs them.
 void VehicleTopics::turnRotors(const std::vector<double>& speed) {
   const double dt = static_cast<double>(simulator_.timeNanoseconds() - turned_ns_) * 1e-9;
   for (std::size_t i = 0; i < angle_.size(); ++i) {
     const RotorModel& rotor = simulator_.model().rotors[i];
     constexpr double kTurn = 6.283185307179586;
-    angle_[i] = std::remainder(angle_[i] + 0.5 * dt * rotor.spin * (speed_before_[i] + speed[i]) / rotor.slowdown, kTurn);
+    angle_[i] = std::remainder(
+        angle_[i] + 0.5 * dt * rotor.spin * (speed_before_[i] + speed[i]) / rotor.slowdown, kTurn);
   }
   speed_before_ = speed;
   turned_ns_ = simulator_.timeNanoseconds();
@@ -155,7 +162,8 @@ void VehicleTopics::publishRotors(const std::vector<double>& speed) {
   joints_pub_.publish(joints);
 }
 
-/// What is in force: the command the motors follow, and the wind. The node listens to both topics itself.
+/// What is in force: the command the motors follow, and the wind. The node listens to both topics
+/// itself.
 void VehicleTopics::publishHeld() {
   constexpr std::uint32_t kOwn = 1;
   if (relay_pub_.getNumSubscribers() > kOwn) {
@@ -167,7 +175,8 @@ void VehicleTopics::publishHeld() {
   if (wind_pub_.getNumSubscribers() > kOwn) {
     wind_pub_.publish(windMessage(simulator_));
   }
-  if (force_pub_ && force_pub_.getNumSubscribers() > 0) force_pub_.publish(forceMessage(simulator_, force_frame_));
+  if (force_pub_ && force_pub_.getNumSubscribers() > 0)
+    force_pub_.publish(forceMessage(simulator_, force_frame_));
 }
 
 void VehicleTopics::archive(StateArchive& archive) {

@@ -24,7 +24,8 @@ std::string fourLines(std::istream& in) {
 void restoreVehicle(Vehicle& vehicle, std::istream& in) {
   std::string line;
   if (!std::getline(in, line) || line != "vehicle " + vehicle.name) {
-    throw quad_support::DataError("saved state: '" + line + "' where 'vehicle " + vehicle.name + "' should be; this world has other vehicles");
+    throw quad_support::DataError("saved state: '" + line + "' where 'vehicle " + vehicle.name +
+                                  "' should be; this world has other vehicles");
   }
   vehicle.simulator.restore(savedStateFromText(fourLines(in)));
   StateArchive sensors(savedStateFromText(fourLines(in)).numbers);
@@ -39,7 +40,9 @@ void restoreAll(const std::vector<std::unique_ptr<Vehicle>>& vehicles, const std
   std::istringstream in(text);
   for (const auto& vehicle : vehicles) restoreVehicle(*vehicle, in);
   std::string rest;
-  if (std::getline(in, rest)) throw quad_support::DataError("saved state: '" + rest + "' behind its end; this world has fewer vehicles");
+  if (std::getline(in, rest))
+    throw quad_support::DataError("saved state: '" + rest +
+                                  "' behind its end; this world has fewer vehicles");
   for (const auto& vehicle : vehicles) {
     if (vehicle->simulator.stepCount() != vehicles.front()->simulator.stepCount()) {
       throw quad_support::DataError("saved state: its vehicles are not of the same step");
@@ -52,7 +55,8 @@ void restoreAll(const std::vector<std::unique_ptr<Vehicle>>& vehicles, const std
 std::string saveWorld(const std::vector<std::unique_ptr<Vehicle>>& vehicles) {
   std::string text;
   for (const auto& vehicle : vehicles) {
-    text += "vehicle " + vehicle->name + "\n" + toText(vehicle->simulator.save()) + toText(sensorsOf(*vehicle));
+    text += "vehicle " + vehicle->name + "\n" + toText(vehicle->simulator.save()) +
+            toText(sensorsOf(*vehicle));
   }
   return text;
 }

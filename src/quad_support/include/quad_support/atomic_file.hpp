@@ -6,12 +6,14 @@
 
 namespace quad_support {
 
-/// Writes `content` beside `path`, flushes it to the disk and renames it into place. A device, pipe or socket there
+/// Writes `content` beside `path`, flushes it to the disk and renames it into place. A device, pipe
+/// or socket there
 /// (/dev/null, /dev/stdout) stays and is written to.
 /// @throws EnvironmentError naming path and reason; `path` is then as it was before
 void writeFileAtomically(const std::string& path, std::string_view content);
 
-/// A file too large for memory, written in pieces beside `path`. Without commit() nothing is left of it.
+/// A file too large for memory, written in pieces beside `path`. Without commit() nothing is left
+/// of it.
 class AsideFile {
  public:
   explicit AsideFile(const std::string& path);  ///< @throws EnvironmentError naming path and reason
@@ -20,7 +22,7 @@ class AsideFile {
   AsideFile& operator=(const AsideFile&) = delete;
 
   void append(std::string_view content);  ///< @throws EnvironmentError
-  void commit();                          ///< flushes to the disk and renames into place; @throws EnvironmentError
+  void commit();  ///< flushes to the disk and renames into place; @throws EnvironmentError
 
  private:
   std::string path_, aside_;
@@ -35,9 +37,12 @@ std::string readFile(const std::string& path);
 class ResultDirectory {
  public:
   /// @param path       where the results shall be
-  /// @param overwrite  false: @throws std::invalid_argument if `path` exists (nothing is touched); true: replaces an empty
-  ///                   directory or an older one of results (it holds config.yaml, provenance.json or summary.json), and
-  ///                   @throws std::invalid_argument for anything else there, so that nobody's other files are lost
+  /// @param overwrite  false: @throws std::invalid_argument if `path` exists (nothing is touched);
+  /// true: replaces an empty
+  ///                   directory or an older one of results (it holds config.yaml, provenance.json
+  ///                   or summary.json), and
+  ///                   @throws std::invalid_argument for anything else there, so that nobody's
+  ///                   other files are lost
   /// @throws EnvironmentError if the place cannot be written
   ResultDirectory(const std::string& path, bool overwrite);
   ~ResultDirectory();
@@ -50,7 +55,8 @@ class ResultDirectory {
   /// Writes a file into the directory; subdirectories in `name` are made. @throws EnvironmentError
   void write(const std::string& name, std::string_view content);
 
-  /// Renames into place; an older directory there is removed only after the new one has taken its name.
+  /// Renames into place; an older directory there is removed only after the new one has taken its
+  /// name.
   void commit();
 
  private:

@@ -7,11 +7,12 @@
 
 namespace quad_support {
 
-/// A table read from CSV. Cells are kept as text; numbers are read where they are asked for, so that a text
-/// column (a phase, say) does no harm.
+/// A table read from CSV. Cells are kept as text; numbers are read where they are asked for, so
+/// that a text column (a phase, say) does no harm.
 class CsvTable {
  public:
-  /// @throws DataError naming `source` and the line: no header, duplicate column, wrong number of cells
+  /// @throws DataError naming `source` and the line: no header, duplicate column, wrong number of
+  /// cells
   static CsvTable parse(std::string_view text, const std::string& source);
   /// @throws std::invalid_argument if the file cannot be read, DataError as parse()
   static CsvTable read(const std::string& path);

@@ -1,4 +1,5 @@
-/// Exit codes and the exceptions that lead to them. A numerical "no" is a value, never an exception.
+/// Exit codes and the exceptions that lead to them. A numerical "no" is a value, never an
+/// exception.
 #pragma once
 
 #include <stdexcept>
@@ -17,8 +18,8 @@ enum ExitCode : int {
   kTerminated = 143,
 };
 
-/// A wrong value in a configuration or model file. The text says file:line, key, value, allowed range with
-/// unit, and what to do.
+/// A wrong value in a configuration or model file. The text says file:line, key, value, allowed
+/// range with unit, and what to do.
 class ConfigError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
@@ -30,7 +31,8 @@ class DataError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// A valid question whose answer is no, where nothing further can be done without a yes: no design to fly, say.
+/// A valid question whose answer is no, where nothing further can be done without a yes: no design
+/// to fly, say.
 class NegativeAnswer : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -3,7 +3,8 @@
 
 namespace quad_support {
 
-/// From now on SIGINT and SIGTERM set the flag instead of ending the process; a second one ends it at once.
+/// From now on SIGINT and SIGTERM set the flag instead of ending the process; a second one ends it
+/// at once.
 void installInterruptHandlers();
 
 /// @throws Interrupted if a signal has arrived. Cheap: one atomic read.

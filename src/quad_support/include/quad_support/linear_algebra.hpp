@@ -1,12 +1,13 @@
-/// Eigenvalues and singular values of matrices of any size, compiled once: the templates behind them take longer to
-/// compile than the rest of a file that uses them.
+/// Eigenvalues and singular values of matrices of any size, compiled once: the templates behind
+/// them take longer to compile than the rest of a file that uses them.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace quad_support {
 
-/// m = V diag(values) Vᵀ of a symmetric m (its lower triangle is read); values ascend, columns of V are orthonormal.
+/// m = V diag(values) Vᵀ of a symmetric m (its lower triangle is read); values ascend, columns of V
+/// are orthonormal.
 struct SymmetricEigen {
   explicit SymmetricEigen(const Eigen::MatrixXd& m);
   Eigen::VectorXd values;

@@ -1,4 +1,5 @@
-/// Counter-based random numbers: any draw can be had alone, in any order, on any thread, and is the same.
+/// Counter-based random numbers: any draw can be had alone, in any order, on any thread, and is the
+/// same.
 #pragma once
 
 #include <array>
@@ -6,8 +7,8 @@
 
 namespace quad_support {
 
-/// Random numbers addressed by (seed, run, stream, step): Philox4x64-10 of Random123, keyed by seed and run, counted
-/// by stream, step and draw.
+/// Random numbers addressed by (seed, run, stream, step): Philox4x64-10 of Random123, keyed by seed
+/// and run, counted by stream, step and draw.
 class RandomStream {
  public:
   /// @param seed    of the study

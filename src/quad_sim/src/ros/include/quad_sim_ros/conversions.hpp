@@ -1,4 +1,5 @@
-/// Between the library's types and ROS messages. Free functions, so that a test can go there and back.
+/// Between the library's types and ROS messages. Free functions, so that a test can go there and
+/// back.
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
@@ -16,8 +17,9 @@
 
 namespace quad_sim {
 
-/// Simulated time [ns] as a message's stamp. ROS reads a stamp of zero as "unset", so time 0 becomes 1 ns; every other
-/// time is exact. @throws std::out_of_range beyond what a stamp holds (136 years)
+/// Simulated time [ns] as a message's stamp. ROS reads a stamp of zero as "unset", so time 0
+/// becomes 1 ns; every other time is exact. @throws std::out_of_range beyond what a stamp holds
+/// (136 years)
 ros::Time toStamp(std::int64_t time_ns);
 /// The same without the exception for zero.
 ros::Time toTime(std::int64_t time_ns);
@@ -30,13 +32,16 @@ nav_msgs::Odometry toMsg(const Odometry& odometry, const std::string& child_fram
 /// A stamp of 1 ns gives time 0, the inverse of toMsg().
 Odometry fromMsg(const nav_msgs::Odometry& message);
 
-/// True rotor speeds, signed by the turning direction (negative: clockwise), as RotorS publishes them.
-mav_msgs::Actuators toMsg(const std::vector<double>& rotor_speed, const VehicleModel& model, std::int64_t time_ns,
-                          const std::string& frame);
-/// Unsigned speeds by motor number. @throws quad_support::DataError if the number of speeds is not that of the rotors
+/// True rotor speeds, signed by the turning direction (negative: clockwise), as RotorS publishes
+/// them.
+mav_msgs::Actuators toMsg(const std::vector<double>& rotor_speed, const VehicleModel& model,
+                          std::int64_t time_ns, const std::string& frame);
+/// Unsigned speeds by motor number. @throws quad_support::DataError if the number of speeds is not
+/// that of the rotors
 std::vector<double> rotorSpeeds(const mav_msgs::Actuators& message, const VehicleModel& model);
 
-/// What Step's `message` says of the first ground contact [ns], and back; empty where there was none.
+/// What Step's `message` says of the first ground contact [ns], and back; empty where there was
+/// none.
 std::string groundContactMessage(const std::optional<std::int64_t>& time_ns);
 std::optional<std::int64_t> groundContactTime(const std::string& message);
 
