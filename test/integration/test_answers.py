@@ -82,7 +82,7 @@ class BadInput(FlightCase):
                               r"bad\.yaml:\d+: design\.gamma_w stands twice \(first on line \d+\); remove one"),
             "gamma_w = 0": (("gamma_w: 4.0", "gamma_w: 0"), r"bad\.yaml:\d+: design\.gamma_w = 0; must be > 0$"),
             "gamma_w < 0": (("gamma_w: 4.0", "gamma_w: -4"), r"bad\.yaml:\d+: design\.gamma_w = -4; must be > 0$"),
-            "gamma_w = nan": (("gamma_w: 4.0", "gamma_w: .nan"), r"bad\.yaml:\d+: design\.gamma_w = \.nan; must be > 0$"),
+            "gamma_w = nan": (("gamma_w: 4.0", "gamma_w: .nan"), r"bad\.yaml:\d+: design\.gamma_w = \.nan; must be a finite number > 0$"),
             "harmonic twice": (("[1, 2, 3]", "[1, 2, 2]"), r"bad\.yaml:\d+: design\.harmonics\[2\] = 2; stands twice"),
             "harmonic off the grid": (("[1, 2, 3]", "[1, 2.5, 3]"),
                                       r"bad\.yaml:\d+: design\.harmonics\[1\] = 2\.5; must be a whole number in 1\.\.19$"),

@@ -7,6 +7,7 @@
 #include "quad_experiment/experiment.hpp"
 #include "quad_experiment/version.hpp"
 #include "quad_support/atomic_file.hpp"
+#include "quad_support/command_line.hpp"
 #include "quad_support/number_format.hpp"
 #include "quad_support/sha256.hpp"
 
@@ -40,7 +41,7 @@ nlohmann::ordered_json provenanceJson(const ExperimentPlan& plan, const std::str
       {"random_signal", plan.gaussian_signal.empty()
                             ? nlohmann::ordered_json(nullptr)
                             : nlohmann::ordered_json(hashOf(plan.gaussian_signal))}};
-  j["versions"] = {{"quad_experiment", kVersion},
+  j["versions"] = {{"quad_experiment", quad_support::kVersion},
                    {"git", gitState()},
                    {"compiler", kCompiler},
                    {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,

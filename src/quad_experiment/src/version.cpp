@@ -4,7 +4,6 @@
 
 namespace quad_experiment {
 
-const char* const kVersion = QUAD_VERSION;
 const char* const kCompiler = "g++ " __VERSION__;
 const char* const kOdeVersion = QUAD_ODE_VERSION;
 const char* const kIpoptVersion = QUAD_IPOPT_VERSION;

@@ -99,6 +99,9 @@ TEST(BatchSpec, ComplaintsNameTheKey) {
   EXPECT_NE(complaint("seed: 1\nruns: 1\nvary:\n  design.gamma: {grid: [1]}\n")
                 .find("design.gamma is not a key of this program"),
             std::string::npos);
+  const std::string misspelt = complaint("seed: 1\nruns: 1\nvary:\n  vehicle.mas: {grid: [1]}\n");
+  EXPECT_NE(misspelt.find("spec.yaml:5: vary.vehicle.mas"), std::string::npos) << misspelt;
+  EXPECT_NE(misspelt.find("did you mean mass?"), std::string::npos) << misspelt;
   EXPECT_NE(complaint("seed: 1\nruns: 0\nvary: {}\n")
                 .find("spec.yaml:3: runs = 0; must be a whole number in 1.."),
             std::string::npos);
@@ -115,6 +118,7 @@ TEST(BatchSpec, ComplaintsNameTheKey) {
                 .find("stands beside"),
             std::string::npos);
   const std::string negative = complaint("seed: 1\nruns: 1\nset: {design.gamma_w: -1}\nvary: {}\n");
-  EXPECT_NE(negative.find("run 0: "), std::string::npos) << negative;
+  EXPECT_NE(negative.find("spec.yaml:4: set.design.gamma_w = -1; run 0: "), std::string::npos)
+      << negative;
   EXPECT_NE(negative.find("design.gamma_w = -1; must be > 0"), std::string::npos) << negative;
 }

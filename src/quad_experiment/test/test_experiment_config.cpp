@@ -85,7 +85,8 @@ TEST(ExperimentConfig, ResolvedYamlReadsBackToTheSameConfiguration) {
 TEST(ExperimentConfig, MistakesNameKeyValueAndLimit) {
   expectComplaint({{"gamma_w: 20.0", "gamma_w: -1"}},
                   {"c.yaml:", "design.gamma_w = -1", "must be > 0"});
-  expectComplaint({{"gamma_w: 20.0", "gamma_w: .nan"}}, {"design.gamma_w = .nan", "must be > 0"});
+  expectComplaint({{"gamma_w: 20.0", "gamma_w: .nan"}},
+                  {"design.gamma_w = .nan", "must be a finite number > 0"});
   expectComplaint({{"[3, 6, 8, 10]", "[3, 6, 6, 10]"}},
                   {"design.harmonics[2] = 6", "stands twice", "T/2 = 185"});
   expectComplaint({{"[3, 6, 8, 10]", "[3, 6, 8.5, 10]"}},

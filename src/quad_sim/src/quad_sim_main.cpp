@@ -12,6 +12,7 @@
 #include "quad_sim/plugin.hpp"
 #include "quad_sim/replay.hpp"
 #include "quad_support/atomic_file.hpp"
+#include "quad_support/command_line.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/number_format.hpp"
 #include "quad_support/program.hpp"
@@ -72,7 +73,8 @@ void addSimulate(CLI::App& app, SimulateArguments& a) {
                    "of RotorS, to add to the default profile one by one: " +
                        fmt::format("{}", fmt::join(quad_sim::RotorsQuirks::names(), ", ")))
       ->delimiter(',');
-  simulate->add_option("--seed", a.seed, "of turbulence")->capture_default_str();
+  simulate->add_option("--seed", a.seed, "of turbulence and of sensors' noise")
+      ->capture_default_str();
   simulate->add_flag("--verbose", a.verbose,
                      "also list the URDF's plugins that have no effect here");
 }
@@ -168,16 +170,18 @@ int simulate(const SimulateArguments& a) {
 
 int run(int argc, char** argv) {
   CLI::App app("quad_sim: the plant of the exploration experiments, without ROS.");
+  app.set_version_flag("--version", quad_support::kVersion);
   app.require_subcommand(1);
   app.footer(kExample);
   SimulateArguments arguments;
   addSimulate(app, arguments);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& e) {  // --help
+  } catch (const CLI::Success& e) {  // --help, --version
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    throw std::invalid_argument(std::string(e.what()) + "; see quad_sim simulate --help");
+    throw std::invalid_argument(
+        quad_support::argumentProblem("quad_sim", e.what(), {"simulate"}, argc, argv));
   }
   return simulate(arguments);
 }

@@ -46,9 +46,13 @@ bool takesBytesItself(const std::string& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-int create(const std::string& path) {
+/// @param shown  the name in the complaint: the one that was asked for
+int create(const std::string& path, const std::string& shown) {
+  std::error_code ignored;
+  if (fs::is_directory(shown, ignored))
+    throw std::invalid_argument(shown + ": is a directory; name a file");
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (fd < 0) fail("create", path, errno);
+  if (fd < 0) fail("create", shown, errno);
   return fd;
 }
 
@@ -71,12 +75,12 @@ int syncAndClose(int fd, int error) {
   return error;
 }
 
-void writeAndSync(const std::string& path, std::string_view content) {
-  const int fd = create(path);
+void writeAndSync(const std::string& path, const std::string& shown, std::string_view content) {
+  const int fd = create(path, shown);
   const int error = syncAndClose(fd, writeAll(fd, content));
   if (error != 0) {
     ::unlink(path.c_str());
-    fail("write", path, error);
+    fail("write", shown, error);
   }
 }
 
@@ -98,13 +102,13 @@ void requireReplaceable(const std::string& path) {
 
 void writeFileAtomically(const std::string& path, std::string_view content) {
   if (takesBytesItself(path)) {
-    const int fd = create(path);
+    const int fd = create(path, path);
     const int error = syncAndClose(fd, writeAll(fd, content));
     if (error != 0) fail("write", path, error);
     return;
   }
   const std::string aside = fmt::format("{}.partial-{}", path, ::getpid());
-  writeAndSync(aside, content);
+  writeAndSync(aside, path, content);
   if (::rename(aside.c_str(), path.c_str()) != 0) {
     const int error = errno;
     ::unlink(aside.c_str());
@@ -116,7 +120,7 @@ void writeFileAtomically(const std::string& path, std::string_view content) {
 AsideFile::AsideFile(const std::string& path)
     : path_(path),
       aside_(takesBytesItself(path) ? path : fmt::format("{}.partial-{}", path, ::getpid())),
-      fd_(create(aside_)) {}
+      fd_(create(aside_, path)) {}
 
 AsideFile::~AsideFile() {
   if (fd_ < 0) return;
@@ -126,7 +130,7 @@ AsideFile::~AsideFile() {
 
 void AsideFile::append(std::string_view content) {
   const int error = writeAll(fd_, content);
-  if (error != 0) fail("write", aside_, error);
+  if (error != 0) fail("write", path_, error);
 }
 
 void AsideFile::commit() {
@@ -163,7 +167,7 @@ ResultDirectory::ResultDirectory(const std::string& path, bool overwrite)
   }
   std::error_code error;
   if (fs::exists(fs::symlink_status(final_, error))) {
-    if (!overwrite)
+    if (fs::is_directory(final_, error) && !overwrite)
       throw std::invalid_argument(final_ +
                                   ": exists already; name another directory or give --force");
     requireReplaceable(final_);
@@ -187,7 +191,7 @@ void ResultDirectory::write(const std::string& name, std::string_view content) {
   std::error_code error;
   fs::create_directories(parentOf(path), error);
   if (error) fail("create", parentOf(path), error.value());
-  writeAndSync(path, content);
+  writeAndSync(path, final_ + "/" + name, content);
 }
 
 void ResultDirectory::commit() {

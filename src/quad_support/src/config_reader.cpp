@@ -10,9 +10,11 @@
 #include <map>
 #include <set>
 
+#include "near_name.hpp"
 #include "quad_support/atomic_file.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/number_format.hpp"
+#include "yaml_override.hpp"
 
 namespace quad_support {
 
@@ -35,6 +37,9 @@ struct ConfigReader::Node {
   std::vector<std::string> order;  ///< of the keys in the file
   std::map<std::string, int> lines;
   mutable std::set<std::string> asked;
+
+  /// A key of the file nobody asked for that looks like the missing one, as a question.
+  std::string meantInstead(const std::string& missing) const;
 };
 
 namespace {
@@ -46,21 +51,23 @@ std::string place(const std::string& file, int line) {
   return line > 0 ? fmt::format("{}:{}", file, line) : file;
 }
 
-std::string describe(const Range& r) {
+/// @param what  "" or "a finite number ", for a value that is none
+std::string describe(const Range& r, const std::string& what = "") {
   const std::string unit = r.unit.empty() ? "" : " " + r.unit;
   if (std::isfinite(r.min) && std::isfinite(r.max)) {
-    return fmt::format("must lie in {}{}, {}{}{}", r.open_min ? "(" : "[", shortest(r.min),
-                       shortest(r.max), r.open_max ? ")" : "]", unit);
+    return fmt::format("must {} {}{}, {}{}{}", what.empty() ? "lie in" : "be " + what + "in",
+                       r.open_min ? "(" : "[", shortest(r.min), shortest(r.max),
+                       r.open_max ? ")" : "]", unit);
   }
   if (std::isfinite(r.min))
-    return fmt::format("must be {} {}{}", r.open_min ? ">" : ">=", shortest(r.min), unit);
+    return fmt::format("must be {}{} {}{}", what, r.open_min ? ">" : ">=", shortest(r.min), unit);
   if (std::isfinite(r.max))
-    return fmt::format("must be {} {}{}", r.open_max ? "<" : "<=", shortest(r.max), unit);
+    return fmt::format("must be {}{} {}{}", what, r.open_max ? "<" : "<=", shortest(r.max), unit);
   return "must be a finite number" + (r.unit.empty() ? "" : " in " + r.unit);
 }
 
 bool contains(const Range& r, double value) {
-  return std::isfinite(value) && (r.open_min ? value > r.min : value >= r.min) &&
+  return (r.open_min ? value > r.min : value >= r.min) &&
          (r.open_max ? value < r.max : value <= r.max);
 }
 
@@ -81,6 +88,16 @@ double scalarToDouble(const std::string& text) {
 }
 
 }  // namespace
+
+std::string ConfigReader::Node::meantInstead(const std::string& missing) const {
+  std::vector<std::string> strangers;
+  for (const std::string& key : order) {
+    if (asked.count(key) == 0) strangers.push_back(key);
+  }
+  const std::string near = nearName(missing, strangers);
+  if (near.empty()) return "";
+  return fmt::format(" (is {}{}, line {}, meant?)", prefix, near, lines.at(near));
+}
 
 ConfigReader::ConfigReader(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
 
@@ -114,69 +131,6 @@ std::shared_ptr<NodeType> makeNode(const YAML::Node& yaml, const std::string& fi
 
 namespace {
 
-YAML::Node parse(const std::string& text, const std::string& name) {
-  try {
-    return YAML::Load(text);
-  } catch (const YAML::Exception& e) {
-    throw ConfigError(fmt::format("{}:{}: not valid YAML: {}", name, e.mark.line + 1, e.msg));
-  }
-}
-
-/// A copy that claims no line of the file, so that complaints name the line of its key.
-YAML::Node unmarked(const YAML::Node& node) {
-  if (node.IsSequence()) {
-    YAML::Node list(YAML::NodeType::Sequence);
-    for (const auto& entry : node) list.push_back(unmarked(entry));
-    return list;
-  }
-  if (node.IsMap()) {
-    YAML::Node map(YAML::NodeType::Map);
-    for (const auto& entry : node) map[unmarked(entry.first)] = unmarked(entry.second);
-    return map;
-  }
-  return node.IsNull() ? YAML::Node() : YAML::Node(node.Scalar());
-}
-
-/// "control.altitude[0]" as {"control", "altitude", "0"}.
-std::vector<std::string> stepsTo(const std::string& key) {
-  std::vector<std::string> steps(1);
-  for (const char c : key) {
-    if (c == '.' || c == '[')
-      steps.emplace_back();
-    else if (c != ']')
-      steps.back() += c;
-  }
-  return steps;
-}
-
-/// The entry of a map or list; undefined if there is none.
-YAML::Node entryOf(const YAML::Node& node, const std::string& step) {
-  if (node.IsMap()) return node[step];
-  const bool index =
-      !step.empty() && step.size() < 7 && step.find_first_not_of("0123456789") == std::string::npos;
-  return node.IsSequence() && index ? node[std::stoul(step)]
-                                    : YAML::Node(YAML::NodeType::Undefined);
-}
-
-void apply(const YAML::Node& root, const std::string& name, const Override& o) {
-  const std::vector<std::string> steps = stepsTo(o.key);
-  YAML::Node at = root;
-  for (const std::string& step : steps) {
-    const YAML::Node next = entryOf(at, step);
-    if (next.IsDefined()) {
-      at.reset(next);
-    } else if (at.IsMap() && !step.empty() && &step == &steps.back()) {
-      at[step] = unmarked(parse(o.value, o.key));  // one the text could have had
-      return;
-    } else {
-      throw ConfigError(fmt::format(
-          "{} has no key {}; if its section may be left out, set that one first, to {{}}", name,
-          o.key));
-    }
-  }
-  at = unmarked(parse(o.value, o.key));
-}
-
 std::string flow(const YAML::Node& node) {
   YAML::Emitter out;
   out << YAML::Flow << node;
@@ -191,8 +145,8 @@ ConfigReader ConfigReader::fromText(const std::string& text, const std::string& 
 
 ConfigReader ConfigReader::fromText(const std::string& text, const std::string& name,
                                     const std::vector<Override>& overrides) {
-  const YAML::Node yaml = parse(text, name);
-  for (const Override& o : overrides) apply(yaml, name, o);
+  const YAML::Node yaml = parseYaml(text, name);
+  for (const Override& o : overrides) applyOverride(yaml, name, o);
   return ConfigReader(makeNode<Node>(yaml, name, "", 1));
 }
 
@@ -214,8 +168,10 @@ std::vector<std::string> ConfigReader::keys() const { return node_->order; }
 void ConfigReader::fail(const std::string& key, const std::string& problem, int index) const {
   const std::string name = node_->prefix + key + (index >= 0 ? fmt::format("[{}]", index) : "");
   const auto it = node_->entries.find(key);
-  if (it == node_->entries.end())
-    throw ConfigError(fmt::format("{}: {} {}", place(node_->file, node_->line), name, problem));
+  if (it == node_->entries.end()) {
+    throw ConfigError(fmt::format("{}: {} {}{}", place(node_->file, node_->line), name, problem,
+                                  node_->meantInstead(key)));
+  }
   YAML::Node value = it->second;
   if (index >= 0) value.reset(value[static_cast<std::size_t>(index)]);
   const int line = value.IsNull() || lineOf(value) == 0 ? node_->lines.at(key) : lineOf(value);
@@ -251,12 +207,13 @@ std::string plainScalar(const YAML::Node& node) {
 
 double toNumber(const ConfigReader& reader, const YAML::Node& node, const std::string& key,
                 const Range& range, int index) {
-  double value = 0;
+  double value = std::nan("");
   try {
     value = scalarToDouble(plainScalar(node));
   } catch (const std::invalid_argument&) {
-    reader.fail(key, describe(range), index);
+    // a text, a list, a map: said below, like the numbers that are not finite
   }
+  if (!std::isfinite(value)) reader.fail(key, describe(range, "a finite number "), index);
   if (!contains(range, value)) reader.fail(key, describe(range), index);
   return value;
 }
@@ -377,8 +334,10 @@ void ConfigReader::finish() const {
   }
   if (unknown.empty()) return;
   const auto [line, key] = *std::min_element(unknown.begin(), unknown.end());
-  throw ConfigError(fmt::format("{}: {}{} is not a key of this program; known here: {}",
+  const std::string near = nearName(key, node_->asked);
+  throw ConfigError(fmt::format("{}: {}{} is not a key of this program{}; known here: {}",
                                 place(node_->file, line), node_->prefix, key,
+                                near.empty() ? "" : fmt::format(", did you mean {}?", near),
                                 fmt::join(node_->asked, ", ")));
 }
 

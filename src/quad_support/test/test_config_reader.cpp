@@ -45,7 +45,7 @@ TEST(ConfigReader, MessagesNameFileLineKeyValueAndLimit) {
   EXPECT_EQ(messageOf([&] { c.number("word", Range::any("s")); }),
             "c.yaml:4: timing.word = 1s; must be a finite number in s");
   EXPECT_EQ(messageOf([&] { c.number("nan", Range::closed(0, 1)); }),
-            "c.yaml:5: timing.nan = .nan; must lie in [0, 1]");
+            "c.yaml:5: timing.nan = .nan; must be a finite number in [0, 1]");
   EXPECT_EQ(messageOf([&] { c.number("mass", Range::positive("kg")); }),
             "c.yaml:1: timing.mass is missing; it must be > 0 kg");
 }
@@ -57,6 +57,31 @@ TEST(ConfigReader, UnknownAndDuplicateKeysAreErrors) {
   c.number("a", Range::any());
   EXPECT_EQ(messageOf([&] { c.finish(); }),
             "c.yaml:2: b is not a key of this program; known here: a");
+}
+
+TEST(ConfigReader, AMisspeltKeyIsNamed) {
+  const auto c = parse("design:\n  horizon: 1\n  gama_w: 20\n").section("design");
+  EXPECT_EQ(messageOf([&] { c.number("gamma_w", Range::positive()); }),
+            "c.yaml:1: design.gamma_w is missing; it must be > 0 (is design.gama_w, line 3, "
+            "meant?)");
+  EXPECT_EQ(messageOf([&] { c.number("closeness", Range::positive()); }),
+            "c.yaml:1: design.closeness is missing; it must be > 0");
+  const auto extra = parse("step: 1\nstepp: 2\n");
+  extra.number("step", Range::any());
+  EXPECT_EQ(messageOf([&] { extra.finish(); }),
+            "c.yaml:2: stepp is not a key of this program, did you mean step?; known here: step");
+}
+
+TEST(ConfigReader, WhatIsNoFiniteNumberIsSaidToBeNone) {
+  const auto c = parse("a: .inf\nb: abc\nc: [1, -.inf]\nd: '5'\n");
+  EXPECT_EQ(messageOf([&] { c.number("a", Range::positive("kg")); }),
+            "c.yaml:1: a = .inf; must be a finite number > 0 kg");
+  EXPECT_EQ(messageOf([&] { c.number("b", Range::nonNegative("s")); }),
+            "c.yaml:2: b = abc; must be a finite number >= 0 s");
+  EXPECT_EQ(messageOf([&] { c.numbers("c", Range::open(0, 2, "m")); }),
+            "c.yaml:3: c[1] = -.inf; must be a finite number in (0, 2) m");
+  EXPECT_EQ(messageOf([&] { c.number("d", Range::any()); }),
+            "c.yaml:4: d = 5; must be a finite number");
 }
 
 TEST(ConfigReader, BrokenYamlNamesTheLine) {

@@ -5,9 +5,13 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "quad_support/atomic_file.hpp"
+#include "quad_support/command_line.hpp"
 #include "quad_support/csv_table.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/number_format.hpp"
@@ -106,6 +110,35 @@ TEST_F(AtomicFile, ReplacesTheWholeFile) {
   EXPECT_EQ(readFile(path), "second");
   EXPECT_EQ(entries(), 1u);
   EXPECT_THROW(writeFileAtomically(dir_ / "none" / "a.txt", "x"), EnvironmentError);
+}
+
+TEST_F(AtomicFile, ComplaintsNameThePathThatWasAskedFor) {
+  const std::string missing = dir_ / "none" / "a.txt";
+  for (const auto& write : std::vector<std::function<void()>>{
+           [&] { writeFileAtomically(missing, "x"); }, [&] { AsideFile file(missing); }}) {
+    try {
+      write();
+      FAIL();
+    } catch (const EnvironmentError& e) {
+      EXPECT_EQ(e.what(), "cannot create " + missing + ": No such file or directory");
+    }
+  }
+  EXPECT_THROW(writeFileAtomically(dir_, "x"), std::invalid_argument);
+  EXPECT_EQ(entries(), 0u);
+}
+
+TEST(CommandLine, AWordThatIsNoCommandIsAnsweredWithThoseThereAre) {
+  const auto answer = [](std::vector<const char*> words) {
+    words.insert(words.begin(), "tool");
+    return quad_support::argumentProblem("tool", "--out is required", {"design", "audit"},
+                                         static_cast<int>(words.size()), words.data());
+  };
+  EXPECT_EQ(answer({"desing"}),
+            "desing: no such command, did you mean design?; known: design, audit (tool --help "
+            "tells more)");
+  EXPECT_EQ(answer({"fly"}), "fly: no such command; known: design, audit (tool --help tells more)");
+  for (const auto& words : std::vector<std::vector<const char*>>{{"design"}, {"--frob"}, {}})
+    EXPECT_EQ(answer(words), "--out is required (tool --help tells more)");
 }
 
 // Where the user may write in the folder of a device, as root may in /dev, a rename would replace

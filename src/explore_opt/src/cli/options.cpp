@@ -2,8 +2,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
+#include "quad_support/command_line.hpp"
 #include "quad_support/errors.hpp"
 
 namespace explore_opt {
@@ -157,6 +160,7 @@ void addReplay(CLI::App& app, Actions& actions) {
 int runCommandLine(int argc, char** argv) {
   CLI::App app("Targeted exploration of linear systems under energy-bounded disturbances",
                "explore_opt");
+  app.set_version_flag("--version", quad_support::kVersion);
   app.require_subcommand(1);
   app.footer("The --help of each subcommand shows an example that runs.");
   Actions actions;
@@ -167,8 +171,11 @@ int runCommandLine(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);  // --help
-    throw quad_support::DataError(std::string(e.what()) + " (explore_opt --help tells more)");
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+    throw quad_support::DataError(
+        quad_support::argumentProblem("explore_opt", e.what(), commands, argc, argv));
   }
   return actions.at(app.get_subcommands().front()->get_name())();
 }

@@ -3,7 +3,6 @@
 
 namespace quad_experiment {
 
-extern const char* const kVersion;
 extern const char* const kCompiler;
 extern const char* const kOdeVersion;
 extern const char* const kIpoptVersion;

@@ -2,12 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <cctype>
 #include <cmath>
 #include <set>
 
 #include "quad_experiment/streams.hpp"
 #include "quad_experiment/version.hpp"
 #include "quad_support/atomic_file.hpp"
+#include "quad_support/command_line.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/number_format.hpp"
 #include "quad_support/random_stream.hpp"
@@ -161,12 +163,32 @@ std::string modelHashes(const BatchSpec& spec, const ExperimentConfig& first) {
   return text;
 }
 
-/// Run 0, whose complaints are most often about all runs.
-ExperimentConfig requireFirstRun(const BatchSpec& spec) {
+/// Whether a complaint is about this key, not about one whose name it begins or ends.
+bool names(const std::string& complaint, const std::string& key) {
+  const auto part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (std::size_t at = complaint.find(key); at != std::string::npos;
+       at = complaint.find(key, at + 1)) {
+    const std::size_t end = at + key.size();
+    const bool starts = at == 0 || !(part(complaint[at - 1]) || complaint[at - 1] == '.');
+    if (starts && (end == complaint.size() || !part(complaint[end]))) return true;
+  }
+  return false;
+}
+
+/// Run 0, whose complaints are most often about all runs: those about a key that varies or is set
+/// name the spec's line, not the base's.
+ExperimentConfig requireFirstRun(const BatchSpec& spec, const ConfigReader& in) {
   try {
     return spec.experiment(0);
   } catch (const std::invalid_argument& e) {
-    throw quad_support::ConfigError(fmt::format("{}: run 0: {}", spec.path, e.what()));
+    const std::string complaint = fmt::format("run 0: {}", e.what());
+    for (const Variation& v : spec.vary) {
+      if (names(complaint, v.key)) in.section("vary").fail(v.key, complaint);
+    }
+    for (const Override& o : spec.set) {
+      if (names(complaint, o.key)) in.section("set").fail(o.key, complaint);
+    }
+    throw quad_support::ConfigError(fmt::format("{}: {}", spec.path, complaint));
   }
 }
 
@@ -219,11 +241,11 @@ BatchSpec readBatchSpec(const std::string& path, std::int64_t repeats) {
   if (spec.repeats > kMaxRuns / spec.points)
     in.fail("runs", fmt::format("times {} points of the grid is more than 1e9 runs", spec.points));
   in.finish();
-  const ExperimentConfig first = requireFirstRun(spec);
+  const ExperimentConfig first = requireFirstRun(spec, in);
   spec.hash = quad_support::sha256(
       fmt::format("{}\n{}\n{}\n{}\n{} {}", quad_support::sha256(quad_support::readFile(path)),
                   quad_support::sha256(spec.base_text), modelHashes(spec, first), spec.repeats,
-                  kVersion, gitState()));
+                  quad_support::kVersion, gitState()));
   return spec;
 }
 

@@ -17,6 +17,7 @@
 #include "quad_experiment/batch_row.hpp"
 #include "quad_experiment/version.hpp"
 #include "quad_support/atomic_file.hpp"
+#include "quad_support/command_line.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/sha256.hpp"
 
@@ -92,7 +93,7 @@ nlohmann::ordered_json manifest(const BatchSpec& spec) {
           {"repeats", spec.repeats},
           {"points", spec.points},
           {"runs", spec.runs()},
-          {"versions", {{"quad_experiment", kVersion}, {"git", gitState()}}},
+          {"versions", {{"quad_experiment", quad_support::kVersion}, {"git", gitState()}}},
           {"columns", batchColumns(spec)}};
 }
 

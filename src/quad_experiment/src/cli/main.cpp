@@ -1,10 +1,10 @@
-#include <fmt/core.h>
-
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
-#include "quad_experiment/version.hpp"
+#include "quad_support/command_line.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/program.hpp"
 
@@ -178,16 +178,10 @@ void addExport(CLI::App& app, ExportOptions& o, std::function<int()>& chosen) {
   command->callback([&] { chosen = [&o] { return exportRun(o); }; });
 }
 
-/// What is wrong with the arguments, in a line.
-std::string problemOf(const CLI::App& app, const CLI::ParseError& e, int argc, char** argv) {
-  std::string problem = e.what(), known;
-  bool named = argc < 2 || argv[1][0] == '-';
-  for (const CLI::App* command : app.get_subcommands({})) {
-    named = named || command->get_name() == argv[1];
-    known += " " + command->get_name();
-  }
-  if (!named) problem = fmt::format("{}: no such command; known:{}", argv[1], known);
-  return problem + " (quad_experiment --help tells more)";
+std::vector<std::string> namesOf(const std::vector<const CLI::App*>& commands) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands) names.push_back(command->get_name());
+  return names;
 }
 
 int parseAndRun(int argc, char** argv) {
@@ -198,7 +192,7 @@ int parseAndRun(int argc, char** argv) {
       "Example:\n  quad_experiment run --config config/thesis.yaml --out results/in_process\n"
       "The same experiment over ROS: scripts/experiment --config config/thesis.yaml --out "
       "results/ros");
-  app.set_version_flag("--version", quad_experiment::kVersion);
+  app.set_version_flag("--version", quad_support::kVersion);
   app.require_subcommand(1);
   Options options;
   std::function<int()> chosen;
@@ -213,7 +207,9 @@ int parseAndRun(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
-    throw quad_support::ConfigError(problemOf(app, e, argc, argv));
+    const CLI::App& all = app;
+    throw quad_support::ConfigError(quad_support::argumentProblem(
+        "quad_experiment", e.what(), namesOf(all.get_subcommands({})), argc, argv));
   }
   return chosen();
 }

@@ -7,16 +7,17 @@
 namespace quad_support {
 
 /// Writes `content` beside `path`, flushes it to the disk and renames it into place. A device, pipe
-/// or socket there
-/// (/dev/null, /dev/stdout) stays and is written to.
-/// @throws EnvironmentError naming path and reason; `path` is then as it was before
+/// or socket there (/dev/null, /dev/stdout) stays and is written to.
+/// @throws EnvironmentError naming path and reason, std::invalid_argument if `path` is a directory;
+/// what was there is then as before
 void writeFileAtomically(const std::string& path, std::string_view content);
 
 /// A file too large for memory, written in pieces beside `path`. Without commit() nothing is left
 /// of it.
 class AsideFile {
  public:
-  explicit AsideFile(const std::string& path);  ///< @throws EnvironmentError naming path and reason
+  /// @throws as writeFileAtomically()
+  explicit AsideFile(const std::string& path);
   ~AsideFile();
   AsideFile(const AsideFile&) = delete;
   AsideFile& operator=(const AsideFile&) = delete;
