@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "constants.hpp"
 #include "quad_support/linear_algebra.hpp"
@@ -17,82 +16,70 @@ using Eigen::VectorXd;
 constexpr double kShrink = 0.2;
 constexpr int kStepsALevel = 40;
 
+/// It keeps its memory from one evaluation to the next.
 class Barrier {
  public:
-  Barrier(const QuadraticProgram& program, double mu) : program_(program), mu_(mu) {}
+  explicit Barrier(const QuadraticProgram& program) : program_(program) {
+    const Index n = program.size(), p = program.numAmplitudes();
+    white_.resize(n * n, p);
+    for (MatrixXd* m : {&S_, &half_, &both_}) m->resize(n, n);
+    llt_ = Eigen::LLT<MatrixXd>(n);
+    for (VectorXd* v : {&slope_, &gradient_, &curvature_, &turned_, &step_, &next_step_, &trial_})
+      v->resize(p);
+    for (MatrixXd* m : {&hessian_, &vectors_, &H_}) m->resize(p, p);
+  }
+  void setWeight(double mu) { mu_ = mu; }
 
   /// Infinite outside.
-  double value(const VectorXd& a) const {
-    const Eigen::LLT<MatrixXd> llt(program_.N(a) - program_.rightSide());
-    if (llt.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
-    double f = 0.5 * a.squaredNorm() - 2.0 * mu_ * llt.matrixLLT().diagonal().array().log().sum();
+  double value(const VectorXd& a) {
+    if (!factorise(a)) return kInfinity;
+    double f = 0.5 * a.squaredNorm() - 2.0 * mu_ * llt_.matrixLLT().diagonal().array().log().sum();
     for (const PeakConstraint& peak : program_.peaks()) {
       const double room = peak.room(a);
-      if (!(room > 0.0)) return std::numeric_limits<double>::infinity();
+      if (!(room > 0.0)) return kInfinity;
       f -= 0.5 * mu_ * std::log(room);
     }
-    return std::isfinite(f) ? f : std::numeric_limits<double>::infinity();
-  }
-
-  void derivatives(const VectorXd& a, VectorXd& gradient, MatrixXd& hessian) const {
-    const Index p = a.size(), n = program_.size();
-    const Eigen::LLT<MatrixXd> llt(program_.N(a) - program_.rightSide());
-    MatrixXd white(n * n, p);  // L⁻¹ S_i L⁻ᵀ: their products are tr(W S_i W S_j)
-    gradient = a;
-    for (int i = 0; i < p; ++i) {
-      const MatrixXd half = llt.matrixL().solve(program_.derivative(a, i));
-      const MatrixXd both = llt.matrixL().solve(half.transpose());
-      gradient(i) -= mu_ * both.trace();
-      white.col(i) = both.reshaped();
-    }
-    const MatrixXd W = llt.solve(MatrixXd::Identity(n, n));
-    hessian = mu_ * (white.transpose() * white - 2.0 * program_.H(W));
-    hessian.diagonal().array() += 1.0;
-    for (const PeakConstraint& peak : program_.peaks()) {
-      const double room = peak.room(a);
-      const VectorXd slope = 2.0 * peak.rows.transpose() * (peak.rows * a + peak.offset);
-      gradient += 0.5 * mu_ / room * slope;
-      hessian += 0.5 * mu_ / room *
-                 (2.0 * peak.rows.transpose() * peak.rows + slope * slope.transpose() / room);
-    }
+    return std::isfinite(f) ? f : kInfinity;
   }
 
   /// To a minimiser: Newton's steps until the decrement is small beside μ.
-  VectorXd minimiser(VectorXd a) const {
+  void minimise(VectorXd& a) {
     double f = value(a);
     for (int i = 0; i < kStepsALevel && std::isfinite(f); ++i) {
-      const Step newton = stepFrom(a);
-      if (!newton.direction.allFinite() || !(newton.slope < -1e-4 * mu_)) break;
-      double t = 1.0, next = value(a + newton.direction);
-      while (!(next <= f + 1e-3 * t * newton.slope) && t > 1e-8) {
+      const double slope = stepFrom(a, step_);
+      if (!step_.allFinite() || !(slope < -1e-4 * mu_)) break;
+      double t = 1.0;
+      trial_ = a + step_;
+      double next = value(trial_);
+      while (!(next <= f + 1e-3 * t * slope) && t > 1e-8) {
         t *= 0.5;
-        next = value(a + t * newton.direction);
+        trial_ = a + t * step_;
+        next = value(trial_);
       }
       if (!(next < f)) break;
-      a += t * newton.direction;
+      a.swap(trial_);
       f = next;
     }
-    return a;
   }
 
   /// Where the values no longer tell points apart: whole steps while the slope shrinks. It enters
   /// the multiplier's stationarity over the root of the curvature, about 1/μ.
-  VectorXd sharpened(VectorXd a) const {
-    Step newton = stepFrom(a);
-    for (int i = 0; i < 8 && newton.direction.allFinite(); ++i) {
-      const VectorXd b = a + newton.direction;
-      if (!std::isfinite(value(b))) break;
-      const Step next = stepFrom(b);
-      if (!(-next.slope < -0.25 * newton.slope)) break;
-      a = b;
-      newton = next;
+  void sharpen(VectorXd& a) {
+    double slope = stepFrom(a, step_);
+    for (int i = 0; i < 8 && step_.allFinite(); ++i) {
+      trial_ = a + step_;
+      if (!std::isfinite(value(trial_))) break;
+      const double next = stepFrom(trial_, next_step_);
+      if (!(-next < -0.25 * slope)) break;
+      a.swap(trial_);
+      step_.swap(next_step_);
+      slope = next;
     }
-    return a;
   }
 
-  MatrixXd multiplier(const VectorXd& a) const {
-    const MatrixXd S = program_.N(a) - program_.rightSide();
-    return mu_ * S.llt().solve(MatrixXd::Identity(S.rows(), S.cols()));
+  MatrixXd multiplier(const VectorXd& a) {
+    factorise(a);
+    return mu_ * llt_.solve(MatrixXd::Identity(S_.rows(), S_.cols()));
   }
   VectorXd peakMultipliers(const VectorXd& a) const {
     VectorXd nu(static_cast<Index>(program_.peaks().size()));
@@ -102,25 +89,64 @@ class Barrier {
   }
 
  private:
-  struct Step {
-    VectorXd direction;
-    double slope;  ///< -(Newton's decrement)²
-  };
+  bool factorise(const VectorXd& a) {
+    program_.N(a, S_);
+    S_ -= program_.rightSide();
+    llt_.compute(S_);
+    return llt_.info() == Eigen::Success;
+  }
 
-  Step stepFrom(const VectorXd& a) const {
-    VectorXd gradient;
-    MatrixXd hessian;
-    derivatives(a, gradient, hessian);
-    const quad_support::SymmetricEigen eigen(hessian);
-    const VectorXd sizes = eigen.values.cwiseAbs();
-    const VectorXd curvature = sizes.cwiseMax(1e-12 * sizes.maxCoeff());
-    const VectorXd direction =
-        -eigen.vectors * (eigen.vectors.transpose() * gradient).cwiseQuotient(curvature);
-    return {direction, gradient.dot(direction)};
+  /// gradient_, hessian_
+  void differentiate(const VectorXd& a) {
+    const Index p = a.size(), n = program_.size();
+    factorise(a);
+    gradient_ = a;
+    for (int i = 0; i < p; ++i) {  // L⁻¹ S_i L⁻ᵀ: their products are tr(W S_i W S_j)
+      program_.derivative(a, i, half_);
+      llt_.matrixL().solveInPlace(half_);
+      both_ = half_.transpose();
+      llt_.matrixL().solveInPlace(both_);
+      gradient_(i) -= mu_ * both_.trace();
+      white_.col(i) = Eigen::Map<const VectorXd>(both_.data(), n * n);
+    }
+    half_.setIdentity();
+    llt_.solveInPlace(half_);
+    program_.H(half_, H_);
+    hessian_.noalias() = white_.transpose() * white_;
+    hessian_ = mu_ * (hessian_ - 2.0 * H_);
+    hessian_.diagonal().array() += 1.0;
+    for (const PeakConstraint& peak : program_.peaks()) addPeak(peak, a);
+  }
+
+  void addPeak(const PeakConstraint& peak, const VectorXd& a) {
+    const double room = peak.room(a), weight = 0.5 * mu_ / room;
+    slope_.setZero();
+    for (Index r = 0; r < peak.rows.rows(); ++r) {
+      slope_ += 2.0 * peak.value(r, a) * peak.rows.row(r).transpose();
+      for (Index k = 0; k < a.size(); ++k)
+        hessian_.col(k) += 2.0 * weight * peak.rows(r, k) * peak.rows.row(r).transpose();
+    }
+    gradient_ += weight * slope_;
+    for (Index k = 0; k < a.size(); ++k) hessian_.col(k) += weight / room * slope_(k) * slope_;
+  }
+
+  /// Newton's step with the moduli of the curvatures. @returns -(its decrement)²
+  double stepFrom(const VectorXd& a, VectorXd& step) {
+    differentiate(a);
+    quad_support::symmetricEigen(hessian_, curvature_, vectors_);
+    curvature_ = curvature_.cwiseAbs();
+    const double least = 1e-12 * curvature_.maxCoeff();
+    turned_.noalias() = vectors_.transpose() * gradient_;
+    turned_ = -turned_.cwiseQuotient(curvature_.cwiseMax(least));
+    step.noalias() = vectors_ * turned_;
+    return gradient_.dot(step);
   }
 
   const QuadraticProgram& program_;
-  double mu_;
+  double mu_ = 1.0;
+  Eigen::LLT<MatrixXd> llt_;
+  MatrixXd S_, half_, both_, white_, H_, hessian_, vectors_;
+  VectorXd slope_, gradient_, curvature_, turned_, step_, next_step_, trial_;
 };
 
 }  // namespace
@@ -130,17 +156,20 @@ BarrierPoint descendBarrier(const QuadraticProgram& program, const VectorXd& sta
   const double order = program.size() + 0.5 * static_cast<double>(program.peaks().size());
   const double cost = 0.5 * start.squaredNorm(), last = gap * cost / order;
   double mu = 0.1 * cost / order;
-  if (!std::isfinite(Barrier(program, mu).value(start))) return point;
+  Barrier barrier(program);
+  barrier.setWeight(mu);
+  if (!std::isfinite(barrier.value(start))) return point;
   point.a = start;
   for (;;) {
-    const Barrier barrier(program, mu);
-    point.a = barrier.minimiser(point.a);
-    if (mu <= last) point.a = barrier.sharpened(point.a);
-    point.Z = barrier.multiplier(point.a);
-    point.nu = barrier.peakMultipliers(point.a);
-    if (mu <= last) return point;
+    barrier.minimise(point.a);
+    if (mu <= last) break;
     mu = std::max(last, kShrink * mu);
+    barrier.setWeight(mu);
   }
+  barrier.sharpen(point.a);
+  point.Z = barrier.multiplier(point.a);
+  point.nu = barrier.peakMultipliers(point.a);
+  return point;
 }
 
 }  // namespace explore_opt

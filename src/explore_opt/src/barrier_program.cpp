@@ -14,27 +14,39 @@ BarrierProgram::BarrierProgram(const QuadraticProgram& program, const VectorXd& 
     F_.push_back(program.derivative(candidate, i));
     F0_ -= candidate(i) * F_.back();
   }
+  whitened_ = F_;
+}
+
+void BarrierProgram::slack(const VectorXd& a, MatrixXd& out) const {
+  out = F0_;
+  for (int i = 0; i < numVariables(); ++i) out += a(i) * F_[static_cast<std::size_t>(i)];
 }
 
 MatrixXd BarrierProgram::slack(const VectorXd& a) const {
-  MatrixXd S = F0_;
-  for (int i = 0; i < numVariables(); ++i) S += a(i) * F_[static_cast<std::size_t>(i)];
+  MatrixXd S;
+  slack(a, S);
   return S;
 }
 
+bool BarrierProgram::factorise(const VectorXd& a) {
+  slack(a, S_);
+  llt_.compute(S_);
+  return llt_.info() == Eigen::Success;
+}
+
 bool BarrierProgram::objective(const VectorXd& a, double& f) {
-  const Eigen::LLT<MatrixXd> llt(slack(a));
-  if (llt.info() != Eigen::Success) return false;
-  f = 0.5 * a.squaredNorm() -
-      2.0 * mu_ * llt.matrixL().toDenseMatrix().diagonal().array().log().sum();
+  if (!factorise(a)) return false;
+  f = 0.5 * a.squaredNorm() - 2.0 * mu_ * llt_.matrixLLT().diagonal().array().log().sum();
   return std::isfinite(f);
 }
 
 bool BarrierProgram::gradient(const VectorXd& a, VectorXd& g) {
-  const Eigen::LLT<MatrixXd> llt(slack(a));
-  if (llt.info() != Eigen::Success) return false;
-  for (int i = 0; i < numVariables(); ++i)
-    g(i) = a(i) - mu_ * llt.solve(F_[static_cast<std::size_t>(i)]).trace();
+  if (!factorise(a)) return false;
+  for (int i = 0; i < numVariables(); ++i) {
+    half_ = F_[static_cast<std::size_t>(i)];
+    llt_.solveInPlace(half_);
+    g(i) = a(i) - mu_ * half_.trace();
+  }
   return true;
 }
 
@@ -47,18 +59,19 @@ Positions BarrierProgram::hessianPositions() const {
 }
 
 bool BarrierProgram::hessian(const VectorXd& a, double weight, const VectorXd&, VectorXd& values) {
-  const Eigen::LLT<MatrixXd> llt(slack(a));
-  if (llt.info() != Eigen::Success) return false;
-  std::vector<MatrixXd> whitened;  // L⁻¹ F_i L⁻ᵀ: their products are tr(S⁻¹ F_i S⁻¹ F_j)
-  for (const MatrixXd& F : F_) {
-    const MatrixXd half = llt.matrixL().solve(F);
-    whitened.push_back(llt.matrixL().solve(half.transpose()));
+  if (!factorise(a)) return false;
+  for (std::size_t i = 0; i < F_.size();
+       ++i) {  // L⁻¹ F_i L⁻ᵀ: their products are tr(S⁻¹ F_i S⁻¹ F_j)
+    half_ = F_[i];
+    llt_.matrixL().solveInPlace(half_);
+    whitened_[i] = half_.transpose();
+    llt_.matrixL().solveInPlace(whitened_[i]);
   }
   int next = 0;
   for (std::size_t i = 0; i < F_.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       values(next++) =
-          weight * (mu_ * whitened[i].cwiseProduct(whitened[j]).sum() + (i == j ? 1.0 : 0.0));
+          weight * (mu_ * whitened_[i].cwiseProduct(whitened_[j]).sum() + (i == j ? 1.0 : 0.0));
     }
   }
   return true;

@@ -1,6 +1,8 @@
 /// One relaxation of the paper's algorithm with a log-det barrier.
 #pragma once
 
+#include <Eigen/Cholesky>
+
 #include "quadratic_program.hpp"
 #include "smooth_program.hpp"
 
@@ -29,9 +31,16 @@ class BarrierProgram : public SmoothProgram {
   double gap(const Eigen::VectorXd& a) const;
 
  private:
+  bool factorise(const Eigen::VectorXd& a);  ///< S(a) = L Lᵀ; false outside the cone
+  void slack(const Eigen::VectorXd& a, Eigen::MatrixXd& out) const;
+
   double mu_ = 1.0;
   Eigen::MatrixXd F0_;
   std::vector<Eigen::MatrixXd> F_;
+  // Kept from one evaluation to the next, so that none asks for memory.
+  Eigen::MatrixXd S_, half_;
+  Eigen::LLT<Eigen::MatrixXd> llt_;
+  std::vector<Eigen::MatrixXd> whitened_;
 };
 
 }  // namespace explore_opt

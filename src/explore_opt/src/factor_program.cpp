@@ -16,14 +16,17 @@ FactorProgram::FactorProgram(const QuadraticProgram& program)
       p_(program.numAmplitudes()),
       n_(program.size()),
       triangle_(n_ * (n_ + 1) / 2),
-      peaks_(static_cast<int>(program.peaks().size())) {}
+      peaks_(static_cast<int>(program.peaks().size())),
+      L_(MatrixXd::Zero(n_, n_)),
+      difference_(n_, n_),
+      Lambda_(n_, n_),
+      H_(p_, p_),
+      slopes_(static_cast<std::size_t>(p_), MatrixXd(n_, n_)) {}
 
-MatrixXd FactorProgram::lowerOf(const VectorXd& x) const {
-  MatrixXd L = MatrixXd::Zero(n_, n_);
+void FactorProgram::readLower(const VectorXd& x) {
   for (int i = 0; i < n_; ++i) {
-    for (int j = 0; j <= i; ++j) L(i, j) = x(p_ + at(i, j));
+    for (int j = 0; j <= i; ++j) L_(i, j) = x(p_ + at(i, j));
   }
-  return L;
 }
 
 bool FactorProgram::objective(const VectorXd& x, double& f) {
@@ -38,10 +41,12 @@ bool FactorProgram::gradient(const VectorXd& x, VectorXd& g) {
 }
 
 void FactorProgram::constraints(const VectorXd& x, VectorXd& c) {
-  const MatrixXd L = lowerOf(x);
-  const MatrixXd difference = program_.N(x.head(p_)) - program_.rightSide() - L * L.transpose();
+  readLower(x);
+  program_.N(x.head(p_), difference_);
+  difference_ -= program_.rightSide();
+  difference_.noalias() -= L_ * L_.transpose();
   for (int i = 0; i < n_; ++i) {
-    for (int j = 0; j <= i; ++j) c(at(i, j)) = difference(i, j);
+    for (int j = 0; j <= i; ++j) c(at(i, j)) = difference_(i, j);
   }
   for (int k = 0; k < peaks_; ++k) {
     const double s = x(p_ + triangle_ + k);
@@ -68,23 +73,26 @@ Positions FactorProgram::jacobianPositions() const {
 }
 
 void FactorProgram::jacobian(const VectorXd& x, VectorXd& values) {
-  std::vector<MatrixXd> slopes;
-  for (int a = 0; a < p_; ++a) slopes.push_back(program_.derivative(x.head(p_), a));
-  const MatrixXd L = lowerOf(x);
+  for (int a = 0; a < p_; ++a)
+    program_.derivative(x.head(p_), a, slopes_[static_cast<std::size_t>(a)]);
+  readLower(x);
   int next = 0;
   for (int i = 0; i < n_; ++i) {
     for (int j = 0; j <= i; ++j) {
-      for (const MatrixXd& slope : slopes) values(next++) = slope(i, j);
+      for (const MatrixXd& slope : slopes_) values(next++) = slope(i, j);
       for (int k = 0; k <= j; ++k) {
-        values(next++) = i != j ? -L(j, k) : -2.0 * L(i, k);
-        if (i != j) values(next++) = -L(i, k);
+        values(next++) = i != j ? -L_(j, k) : -2.0 * L_(i, k);
+        if (i != j) values(next++) = -L_(i, k);
       }
     }
   }
   for (int k = 0; k < peaks_; ++k) {
     const PeakConstraint& peak = program_.peaks()[static_cast<std::size_t>(k)];
-    const VectorXd slope = -2.0 * peak.rows.transpose() * (peak.rows * x.head(p_) + peak.offset);
-    for (int a = 0; a < p_; ++a) values(next++) = slope(a);
+    auto slope = values.segment(next, p_);
+    slope.setZero();
+    for (Eigen::Index r = 0; r < peak.rows.rows(); ++r)
+      slope -= 2.0 * peak.value(r, x.head(p_)) * peak.rows.row(r).transpose();
+    next += p_;
     values(next++) = -2.0 * x(p_ + triangle_ + k);
   }
 }
@@ -105,19 +113,25 @@ Positions FactorProgram::hessianPositions() const {
 
 bool FactorProgram::hessian(const VectorXd&, double weight, const VectorXd& multipliers,
                             VectorXd& values) {
-  const MatrixXd Lambda = -certificateOf(multipliers);
-  MatrixXd H = program_.H(Lambda);
+  for (int i = 0; i < n_; ++i) {
+    for (int j = 0; j <= i; ++j)
+      Lambda_(i, j) = Lambda_(j, i) = (i == j ? 1.0 : 0.5) * multipliers(at(i, j));
+  }
+  program_.H(Lambda_, H_);
   for (int k = 0; k < peaks_; ++k) {
     const MatrixXd& Q = program_.peaks()[static_cast<std::size_t>(k)].rows;
-    H -= multipliers(triangle_ + k) * Q.transpose() * Q;
+    for (Eigen::Index r = 0; r < Q.rows(); ++r) {
+      for (int a = 0; a < p_; ++a)
+        H_.col(a) -= multipliers(triangle_ + k) * Q(r, a) * Q.row(r).transpose();
+    }
   }
   int next = 0;
   for (int a = 0; a < p_; ++a) {
-    for (int b = 0; b <= a; ++b) values(next++) = 2.0 * H(a, b) + (a == b ? weight : 0.0);
+    for (int b = 0; b <= a; ++b) values(next++) = 2.0 * H_(a, b) + (a == b ? weight : 0.0);
   }
   for (int j = 0; j < n_; ++j) {
     for (int i = j; i < n_; ++i) {
-      for (int k = j; k <= i; ++k) values(next++) = -2.0 * Lambda(i, k);
+      for (int k = j; k <= i; ++k) values(next++) = -2.0 * Lambda_(i, k);
     }
   }
   for (int k = 0; k < peaks_; ++k) values(next++) = -2.0 * multipliers(triangle_ + k);

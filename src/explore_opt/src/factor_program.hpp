@@ -37,11 +37,14 @@ class FactorProgram : public SmoothProgram {
   Eigen::VectorXd peakMultipliersOf(const Eigen::VectorXd& multipliers) const;
 
  private:
-  Eigen::MatrixXd lowerOf(const Eigen::VectorXd& x) const;
+  void readLower(const Eigen::VectorXd& x);  ///< L_
   int at(int i, int j) const { return i * (i + 1) / 2 + j; }
 
   const QuadraticProgram& program_;
   int p_, n_, triangle_, peaks_;
+  // Kept from one evaluation to the next, so that none asks for memory.
+  Eigen::MatrixXd L_, difference_, Lambda_, H_;
+  std::vector<Eigen::MatrixXd> slopes_;
 };
 
 }  // namespace explore_opt

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lmi_point.hpp"
 
@@ -13,23 +14,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMaxIterations = 80;
-
-void measure(const LmiProgram& program, const std::vector<StackedBlock>& blocks,
-             LmiSolution& solution) {
-  VectorXd residual = program.reward;
-  double gap = 0.0;
-  for (std::size_t j = 0; j < blocks.size(); ++j) {
-    const LmiBlock& block = blocks[j].block;
-    const MatrixXd& X = solution.multipliers[j];
-    const VectorXd traces = blocks[j].traces(X);
-    gap += X.cwiseProduct(block.constant +
-                          blocks[j].change(solution.y.segment(block.first, block.count)))
-               .sum();
-    residual.segment(block.first, block.count) += traces;
-  }
-  solution.gap = gap;
-  solution.residual = residual.cwiseAbs().maxCoeff();
-}
 
 }  // namespace
 
@@ -58,8 +42,9 @@ LmiSolution solveLmi(const LmiProgram& program, const VectorXd& start, double ga
     solution.multipliers.push_back(0.5 * (inverse + inverse.transpose()));
   }
   const std::vector<StackedBlock> blocks(program.blocks.begin(), program.blocks.end());
-  measure(program, blocks, solution);
   LmiPoint point(program, blocks);
+  point.measure(solution);
+  LmiSolution next = solution;
   while (solution.iterations < kMaxIterations) {
     if (!point.moveTo(solution)) break;
     ++solution.iterations;
@@ -67,16 +52,16 @@ LmiSolution solveLmi(const LmiProgram& program, const VectorXd& start, double ga
     point.step(0.0, false);
     const double affine = point.muAfter(point.longestInY(1.0), point.longestInX(1.0));
     const double centring = std::pow(std::clamp(affine / mu, 1e-3, 1.0), 3);
-    const VectorXd dy = point.step(centring * mu, true);
+    const VectorXd& dy = point.step(centring * mu, true);
     const double t_y = point.longestInY(0.98), t_x = point.longestInX(0.98);
     if (!dy.allFinite() || std::max(t_y, t_x) < 1e-6) break;
-    LmiSolution next = solution;
+    next = solution;
     next.y += t_y * dy;
     for (std::size_t j = 0; j < next.multipliers.size(); ++j)
       next.multipliers[j] += t_x * point.changeOfX(j);
-    measure(program, blocks, next);
+    point.measure(next);
     if (!std::isfinite(next.gap) || !(next.gap > 0.0)) break;
-    solution = std::move(next);
+    std::swap(solution, next);
     solution.converged = solution.gap <= gap && solution.residual <= std::max(gap, 1e-12);
     if (solution.converged || program.reward.dot(solution.y) > stop_above) break;
   }

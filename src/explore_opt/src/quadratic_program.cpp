@@ -50,28 +50,49 @@ QuadraticProgram::QuadraticProgram(const PredictedResponse& response, double gam
   }
 }
 
-MatrixXd QuadraticProgram::N(const VectorXd& a) const {
-  MatrixXd sum = homogeneous() ? MatrixXd::Zero(size(), size()) : S_00_;
+void QuadraticProgram::N(const Eigen::Ref<const VectorXd>& a, MatrixXd& out) const {
+  if (homogeneous())
+    out.setZero(size(), size());
+  else
+    out = S_00_;
   for (int i = 0; i < p_; ++i) {
-    if (!homogeneous()) sum += 2.0 * a(i) * S_0(i);
-    sum += a(i) * a(i) * S(i, i);
-    for (int j = 0; j < i; ++j) sum += 2.0 * a(i) * a(j) * S(i, j);
+    if (!homogeneous()) out += 2.0 * a(i) * S_0(i);
+    out += a(i) * a(i) * S(i, i);
+    for (int j = 0; j < i; ++j) out += 2.0 * a(i) * a(j) * S(i, j);
   }
-  return sum;
+}
+
+void QuadraticProgram::derivative(const Eigen::Ref<const VectorXd>& a, int i, MatrixXd& out) const {
+  if (homogeneous())
+    out.setZero(size(), size());
+  else
+    out = 2.0 * S_0(i);
+  for (int j = 0; j < p_; ++j) out += 2.0 * a(j) * S(i, j);
+}
+
+void QuadraticProgram::H(const MatrixXd& Z, MatrixXd& out) const {
+  out.resize(p_, p_);
+  for (int i = 0; i < p_; ++i) {
+    for (int j = 0; j <= i; ++j) out(i, j) = out(j, i) = Z.cwiseProduct(S(i, j)).sum();
+  }
+}
+
+MatrixXd QuadraticProgram::N(const VectorXd& a) const {
+  MatrixXd out;
+  N(a, out);
+  return out;
 }
 
 MatrixXd QuadraticProgram::derivative(const VectorXd& a, int i) const {
-  MatrixXd sum = homogeneous() ? MatrixXd::Zero(size(), size()) : MatrixXd(2.0 * S_0(i));
-  for (int j = 0; j < p_; ++j) sum += 2.0 * a(j) * S(i, j);
-  return sum;
+  MatrixXd out;
+  derivative(a, i, out);
+  return out;
 }
 
 MatrixXd QuadraticProgram::H(const MatrixXd& Z) const {
-  MatrixXd h(p_, p_);
-  for (int i = 0; i < p_; ++i) {
-    for (int j = 0; j <= i; ++j) h(i, j) = h(j, i) = Z.cwiseProduct(S(i, j)).sum();
-  }
-  return h;
+  MatrixXd out;
+  H(Z, out);
+  return out;
 }
 
 MatrixXd QuadraticProgram::toRoot(const MatrixXd& Z) const {

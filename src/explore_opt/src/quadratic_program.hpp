@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "explore_opt/predicted_response.hpp"
@@ -17,8 +19,14 @@ struct PeakConstraint {
   double limit = 0.0;
 
   /// (limit² - ‖rows a + offset‖²)/limit²: 1 - (peak/limit)²
-  double room(const Eigen::VectorXd& a) const {
-    return 1.0 - (rows * a + offset).squaredNorm() / (limit * limit);
+  double room(const Eigen::Ref<const Eigen::VectorXd>& a) const {
+    double square = 0.0;
+    for (Eigen::Index r = 0; r < rows.rows(); ++r) square += std::pow(value(r, a), 2);
+    return 1.0 - square / (limit * limit);
+  }
+  /// Component `r` of rows a + offset
+  double value(Eigen::Index r, const Eigen::Ref<const Eigen::VectorXd>& a) const {
+    return rows.row(r).dot(a) + offset(r);
   }
 };
 
@@ -45,6 +53,10 @@ class QuadraticProgram {
   Eigen::MatrixXd N(const Eigen::VectorXd& a) const;
   Eigen::MatrixXd derivative(const Eigen::VectorXd& a, int i) const;  ///< ∂N/∂a_i
   Eigen::MatrixXd H(const Eigen::MatrixXd& Z) const;                  ///< tr(Z S_ab), Z symmetric
+  // The same into memory that the caller keeps, for the inner loops of solvers.
+  void N(const Eigen::Ref<const Eigen::VectorXd>& a, Eigen::MatrixXd& out) const;
+  void derivative(const Eigen::Ref<const Eigen::VectorXd>& a, int i, Eigen::MatrixXd& out) const;
+  void H(const Eigen::MatrixXd& Z, Eigen::MatrixXd& out) const;
 
   /// Scaled: limit 1.
   const std::vector<PeakConstraint>& peaks() const { return peaks_; }

@@ -12,7 +12,7 @@
 namespace quad_sim {
 namespace {
 
-using test::AllocationCounter;
+using quad_support::testing::AllocationCounter;
 
 TEST(AllocationCounter, SeesEveryWayToTheHeap) {
   if (!AllocationCounter::available()) GTEST_SKIP() << "a sanitizer has the heap to itself";

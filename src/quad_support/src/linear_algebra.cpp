@@ -8,10 +8,44 @@ namespace quad_support {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-SymmetricEigen::SymmetricEigen(const MatrixXd& m) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(m);
+namespace {
+
+using StackMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kStackOrder, kStackOrder>;
+
+bool fitsStack(const MatrixXd& m) { return m.rows() <= kStackOrder && m.cols() <= kStackOrder; }
+
+template <typename Matrix>
+void eigenOf(const MatrixXd& m, VectorXd& values, MatrixXd& vectors) {
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(m);
   values = solver.eigenvalues();
   vectors = solver.eigenvectors();
+}
+
+template <typename Matrix>
+void leftSingularOf(const MatrixXd& m, VectorXd& values, MatrixXd& vectors) {
+  const Eigen::JacobiSVD<Matrix> solver(m, Eigen::ComputeFullU);
+  values = solver.singularValues();
+  vectors = solver.matrixU();
+}
+
+}  // namespace
+
+void symmetricEigen(const MatrixXd& m, VectorXd& values, MatrixXd& vectors) {
+  return fitsStack(m) ? eigenOf<StackMatrix>(m, values, vectors)
+                      : eigenOf<MatrixXd>(m, values, vectors);
+}
+
+SymmetricEigen::SymmetricEigen(const MatrixXd& m) { symmetricEigen(m, values, vectors); }
+
+double smallestEigenvalue(const MatrixXd& m) {
+  if (!fitsStack(m)) return symmetricEigenvalues(m)(0);
+  return Eigen::SelfAdjointEigenSolver<StackMatrix>(m, Eigen::EigenvaluesOnly).eigenvalues()(0);
+}
+
+void leftSingular(const MatrixXd& m, VectorXd& values, MatrixXd& vectors) {
+  return fitsStack(m) ? leftSingularOf<StackMatrix>(m, values, vectors)
+                      : leftSingularOf<MatrixXd>(m, values, vectors);
 }
 
 VectorXd symmetricEigenvalues(const MatrixXd& m) {

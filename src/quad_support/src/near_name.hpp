@@ -29,7 +29,7 @@ inline std::size_t editDistance(const std::string& a, const std::string& b) {
 template <class Names>
 std::string nearName(const std::string& wanted, const Names& names) {
   std::string best;
-  std::size_t least = std::max<std::size_t>(1, wanted.size() / 3) + 1;
+  std::size_t least = wanted.size() / 3 + 1;
   for (const std::string& name : names) {
     const std::size_t distance = editDistance(wanted, name);
     if (distance < least) {

@@ -6,6 +6,10 @@
 
 namespace quad_support {
 
+/// Up to this many rows and columns the functions that write into the caller's memory work on the
+/// stack.
+constexpr int kStackOrder = 24;
+
 /// m = V diag(values) Vᵀ of a symmetric m (its lower triangle is read); values ascend, columns of V
 /// are orthonormal.
 struct SymmetricEigen {
@@ -14,8 +18,14 @@ struct SymmetricEigen {
   Eigen::MatrixXd vectors;
 };
 
+/// The same into memory that the caller keeps, without heap up to kStackOrder.
+void symmetricEigen(const Eigen::MatrixXd& m, Eigen::VectorXd& values, Eigen::MatrixXd& vectors);
+
 /// The eigenvalues alone, ascending; faster than SymmetricEigen.
 Eigen::VectorXd symmetricEigenvalues(const Eigen::MatrixXd& m);
+
+/// The first of them, without heap up to kStackOrder.
+double smallestEigenvalue(const Eigen::MatrixXd& m);
 
 /// m^{-1/2}, the symmetric root, of a symmetric positive definite m.
 Eigen::MatrixXd inverseSquareRoot(const Eigen::MatrixXd& m);
@@ -25,6 +35,10 @@ Eigen::MatrixXd positiveRoot(const Eigen::MatrixXd& m);
 
 /// Singular values of m, descending, to full relative accuracy of the largest (one-sided Jacobi).
 Eigen::VectorXd singularValues(const Eigen::MatrixXd& m);
+
+/// Singular values, descending, and left singular vectors of a square m, into memory that the
+/// caller keeps, without heap up to kStackOrder.
+void leftSingular(const Eigen::MatrixXd& m, Eigen::VectorXd& values, Eigen::MatrixXd& vectors);
 
 /// All left singular vectors (rows x rows), in the order of singularValues().
 Eigen::MatrixXd leftSingularVectors(const Eigen::MatrixXd& m);

@@ -2,7 +2,7 @@
 /// alike.
 #pragma once
 
-namespace quad_sim::test {
+namespace quad_support::testing {
 
 /// While one lives, every malloc, calloc, realloc, memalign, posix_memalign and aligned_alloc of
 /// the process is counted; operator new ends in them. The test program defines these functions
@@ -19,4 +19,4 @@ class AllocationCounter {
   static bool available();
 };
 
-}  // namespace quad_sim::test
+}  // namespace quad_support::testing

@@ -10,7 +10,7 @@ std::atomic<long> allocations{0};
 }  // namespace
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define QUAD_SIM_COUNTS_ALLOCATIONS 1
+#define QUAD_COUNTS_ALLOCATIONS 1
 
 namespace {
 void note() {
@@ -57,10 +57,10 @@ int posix_memalign(void** result, std::size_t alignment, std::size_t size) {
 }
 }
 #else
-#define QUAD_SIM_COUNTS_ALLOCATIONS 0
+#define QUAD_COUNTS_ALLOCATIONS 0
 #endif
 
-namespace quad_sim::test {
+namespace quad_support::testing {
 
 AllocationCounter::AllocationCounter() {
   allocations = 0;
@@ -68,6 +68,6 @@ AllocationCounter::AllocationCounter() {
 }
 AllocationCounter::~AllocationCounter() { armed = false; }
 long AllocationCounter::count() const { return allocations; }
-bool AllocationCounter::available() { return QUAD_SIM_COUNTS_ALLOCATIONS != 0; }
+bool AllocationCounter::available() { return QUAD_COUNTS_ALLOCATIONS != 0; }
 
-}  // namespace quad_sim::test
+}  // namespace quad_support::testing
