@@ -4,6 +4,8 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 # Same inputs, same bits (docs/determinism): no contraction into fused multiply-adds, no fast-math.
 add_compile_options(-ffp-contract=off -Wall -Wextra)
+# Functions of a library may call each other directly; nobody replaces them from outside. A flight takes a quarter less time.
+add_compile_options(-fno-semantic-interposition $<$<COMPILE_LANGUAGE:CXX>:-fvisibility-inlines-hidden>)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 # quad_add_gtest(<name> SOURCES <files> LIBRARIES <targets>): a gtest program with its main(), run by ctest from the
