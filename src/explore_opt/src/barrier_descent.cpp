@@ -16,14 +16,21 @@ using Eigen::VectorXd;
 constexpr double kShrink = 0.2;
 constexpr int kStepsALevel = 40;
 
+/// Of a Cholesky factor, by its pivots.
+bool isWellScaled(const Eigen::LLT<MatrixXd>& llt) {
+  const auto pivots = llt.matrixLLT().diagonal();
+  return pivots.minCoeff() > 1e-5 * pivots.maxCoeff();
+}
+
 /// It keeps its memory from one evaluation to the next.
 class Barrier {
  public:
   explicit Barrier(const QuadraticProgram& program) : program_(program) {
     const Index n = program.size(), p = program.numAmplitudes();
-    white_.resize(n * n, p);
-    for (MatrixXd* m : {&S_, &half_, &both_}) m->resize(n, n);
+    white_.resize(n, n * p);
+    for (MatrixXd* m : {&S_, &W_}) m->resize(n, n);
     llt_ = Eigen::LLT<MatrixXd>(n);
+    newton_ = Eigen::LLT<MatrixXd>(p);
     for (VectorXd* v : {&slope_, &gradient_, &curvature_, &turned_, &step_, &next_step_, &trial_})
       v->resize(p);
     for (MatrixXd* m : {&hessian_, &vectors_, &H_}) m->resize(p, p);
@@ -90,7 +97,8 @@ class Barrier {
 
  private:
   bool factorise(const VectorXd& a) {
-    program_.N(a, S_);
+    program_.factor(a, F_);
+    program_.N(F_, S_);
     S_ -= program_.rightSide();
     llt_.compute(S_);
     return llt_.info() == Eigen::Success;
@@ -101,18 +109,16 @@ class Barrier {
     const Index p = a.size(), n = program_.size();
     factorise(a);
     gradient_ = a;
-    for (int i = 0; i < p; ++i) {  // L⁻¹ S_i L⁻ᵀ: their products are tr(W S_i W S_j)
-      program_.derivative(a, i, half_);
-      llt_.matrixL().solveInPlace(half_);
-      both_ = half_.transpose();
-      llt_.matrixL().solveInPlace(both_);
-      gradient_(i) -= mu_ * both_.trace();
-      white_.col(i) = Eigen::Map<const VectorXd>(both_.data(), n * n);
-    }
-    half_.setIdentity();
-    llt_.solveInPlace(half_);
-    program_.H(half_, H_);
-    hessian_.noalias() = white_.transpose() * white_;
+    program_.derivatives(F_, white_);  // L⁻¹ S_i L⁻ᵀ: their products are tr(W S_i W S_j)
+    llt_.matrixL().solveInPlace(white_);
+    for (Index i = 0; i < p; ++i) white_.middleCols(n * i, n).transposeInPlace();
+    llt_.matrixL().solveInPlace(white_);
+    for (Index i = 0; i < p; ++i) gradient_(i) -= mu_ * white_.middleCols(n * i, n).trace();
+    W_.setIdentity();
+    llt_.solveInPlace(W_);
+    program_.H(W_, H_);
+    const Eigen::Map<const MatrixXd> products(white_.data(), n * n, p);
+    hessian_.noalias() = products.transpose() * products;
     hessian_ = mu_ * (hessian_ - 2.0 * H_);
     hessian_.diagonal().array() += 1.0;
     for (const PeakConstraint& peak : program_.peaks()) addPeak(peak, a);
@@ -133,6 +139,12 @@ class Barrier {
   /// Newton's step with the moduli of the curvatures. @returns -(its decrement)²
   double stepFrom(const VectorXd& a, VectorXd& step) {
     differentiate(a);
+    newton_.compute(hessian_);
+    if (newton_.info() == Eigen::Success && isWellScaled(newton_)) {  // convex here: no moduli
+      step = -gradient_;
+      newton_.solveInPlace(step);
+      return gradient_.dot(step);
+    }
     quad_support::symmetricEigen(hessian_, curvature_, vectors_);
     curvature_ = curvature_.cwiseAbs();
     const double least = 1e-12 * curvature_.maxCoeff();
@@ -144,8 +156,8 @@ class Barrier {
 
   const QuadraticProgram& program_;
   double mu_ = 1.0;
-  Eigen::LLT<MatrixXd> llt_;
-  MatrixXd S_, half_, both_, white_, H_, hessian_, vectors_;
+  Eigen::LLT<MatrixXd> llt_, newton_;
+  MatrixXd F_, S_, W_, white_, H_, hessian_, vectors_;
   VectorXd slope_, gradient_, curvature_, turned_, step_, next_step_, trial_;
 };
 

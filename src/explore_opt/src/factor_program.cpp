@@ -42,7 +42,8 @@ bool FactorProgram::gradient(const VectorXd& x, VectorXd& g) {
 
 void FactorProgram::constraints(const VectorXd& x, VectorXd& c) {
   readLower(x);
-  program_.N(x.head(p_), difference_);
+  program_.factor(x.head(p_), F_);
+  program_.N(F_, difference_);
   difference_ -= program_.rightSide();
   difference_.noalias() -= L_ * L_.transpose();
   for (int i = 0; i < n_; ++i) {
@@ -73,8 +74,8 @@ Positions FactorProgram::jacobianPositions() const {
 }
 
 void FactorProgram::jacobian(const VectorXd& x, VectorXd& values) {
-  for (int a = 0; a < p_; ++a)
-    program_.derivative(x.head(p_), a, slopes_[static_cast<std::size_t>(a)]);
+  program_.factor(x.head(p_), F_);
+  for (int a = 0; a < p_; ++a) program_.derivative(F_, a, slopes_[static_cast<std::size_t>(a)]);
   readLower(x);
   int next = 0;
   for (int i = 0; i < n_; ++i) {

@@ -43,7 +43,7 @@ class FactorProgram : public SmoothProgram {
   const QuadraticProgram& program_;
   int p_, n_, triangle_, peaks_;
   // Kept from one evaluation to the next, so that none asks for memory.
-  Eigen::MatrixXd L_, difference_, Lambda_, H_;
+  Eigen::MatrixXd F_, L_, difference_, Lambda_, H_;
   std::vector<Eigen::MatrixXd> slopes_;
 };
 

@@ -3,6 +3,8 @@
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
 #include <IpTNLP.hpp>
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "quad_support/errors.hpp"
@@ -33,7 +35,9 @@ SolverStatus statusOf(Ipopt::ApplicationReturnStatus status) {
   }
 }
 
-/// The program in Ipopt's words. Index lists are filled once, values copied.
+/// The program in Ipopt's words. Index lists are filled once, values copied in memory that stays.
+/// Numbers that are not finite are "outside the domain": the linear solver behind Ipopt dies of
+/// them.
 class Adapter : public Ipopt::TNLP {
  public:
   Adapter(SmoothProgram& program, const SolverStart& start, SolverAnswer& answer)
@@ -72,52 +76,52 @@ class Adapter : public Ipopt::TNLP {
   }
 
   bool eval_f(Ipopt::Index n, const Number* x, bool, Number& f) override {
-    return program_.objective(view(x, n), f);
+    return program_.objective(read(x, n, x_), f) && std::isfinite(f);
   }
 
   bool eval_grad_f(Ipopt::Index n, const Number* x, bool, Number* g) override {
-    VectorXd values(n);
-    if (!program_.gradient(view(x, n), values)) return false;
-    std::copy(values.data(), values.data() + n, g);
-    return true;
+    values_.resize(n);
+    return program_.gradient(read(x, n, x_), values_) && write(g);
   }
 
   bool eval_g(Ipopt::Index n, const Number* x, bool, Ipopt::Index m, Number* c) override {
-    VectorXd values(m);
-    program_.constraints(view(x, n), values);
-    std::copy(values.data(), values.data() + m, c);
-    return true;
+    values_.resize(m);
+    program_.constraints(read(x, n, x_), values_);
+    return write(c);
   }
 
   bool eval_jac_g(Ipopt::Index n, const Number* x, bool, Ipopt::Index, Ipopt::Index nnz,
                   Ipopt::Index* rows, Ipopt::Index* cols, Number* out) override {
     if (out == nullptr) return positions(jacobian_, rows, cols);
-    VectorXd values(nnz);
-    program_.jacobian(view(x, n), values);
-    std::copy(values.data(), values.data() + nnz, out);
-    return true;
+    values_.resize(nnz);
+    program_.jacobian(read(x, n, x_), values_);
+    return write(out);
   }
 
   bool eval_h(Ipopt::Index n, const Number* x, bool, Number weight, Ipopt::Index m,
               const Number* lambda, bool, Ipopt::Index nnz, Ipopt::Index* rows, Ipopt::Index* cols,
               Number* out) override {
     if (out == nullptr) return positions(hessian_, rows, cols);
-    VectorXd values(nnz);
-    if (!program_.hessian(view(x, n), weight, view(lambda, m), values)) return false;
-    std::copy(values.data(), values.data() + nnz, out);
-    return true;
+    values_.resize(nnz);
+    return program_.hessian(read(x, n, x_), weight, read(lambda, m, multipliers_), values_) &&
+           write(out);
   }
 
   void finalize_solution(Ipopt::SolverReturn, Ipopt::Index n, const Number* x, const Number*,
                          const Number*, Ipopt::Index m, const Number*, const Number* lambda, Number,
                          const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
-    answer_.x = view(x, n);
-    answer_.multipliers = view(lambda, m);
+    read(x, n, answer_.x);
+    read(lambda, m, answer_.multipliers);
   }
 
  private:
-  static VectorXd view(const Number* values, Ipopt::Index n) {
-    return Eigen::Map<const VectorXd>(values, n);
+  static const VectorXd& read(const Number* values, Ipopt::Index n, VectorXd& into) {
+    return into = Eigen::Map<const VectorXd>(values, n);
+  }
+
+  bool write(Number* out) const {
+    std::copy(values_.data(), values_.data() + values_.size(), out);
+    return values_.allFinite();
   }
 
   static bool positions(const Positions& from, Ipopt::Index* rows, Ipopt::Index* cols) {
@@ -132,6 +136,7 @@ class Adapter : public Ipopt::TNLP {
   const SolverStart& start_;
   SolverAnswer& answer_;
   Positions jacobian_, hessian_;
+  VectorXd x_, multipliers_, values_;
 };
 
 }  // namespace
@@ -159,6 +164,7 @@ IpoptSolver::~IpoptSolver() = default;
 
 SolverAnswer IpoptSolver::solve(SmoothProgram& program, const SolverStart& start) {
   SolverAnswer answer;
+  if (!start.x.allFinite() || !start.multipliers.allFinite()) return answer;
   auto& application = *implementation_->application;
   const bool warm = start.multipliers.size() > 0;
   application.Options()->SetStringValue("warm_start_init_point", warm ? "yes" : "no");

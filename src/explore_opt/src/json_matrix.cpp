@@ -69,10 +69,11 @@ json parseJson(const std::string& text, const std::string& source) {
   try {
     return json::parse(text, RepeatedKeys(source));
   } catch (const json::exception& e) {
+    const bool grammar = dynamic_cast<const json::parse_error*>(&e) != nullptr;
     const std::string reason = e.what();  // "[json.exception.parse_error.101] parse error at ..."
     const std::size_t name_end = reason.find("] ");
     throw ConfigError(
-        fmt::format("{}: not valid JSON: {}", source,
+        fmt::format("{}: {}{}", source, grammar ? "not valid JSON: " : "",
                     name_end == std::string::npos ? reason : reason.substr(name_end + 2)));
   }
 }

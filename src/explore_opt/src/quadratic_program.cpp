@@ -13,6 +13,12 @@ using Eigen::VectorXd;
 
 MatrixXd symmetric(const MatrixXd& m) { return 0.5 * (m + m.transpose()); }
 
+void addTranspose(Eigen::Ref<MatrixXd> m) {
+  for (Eigen::Index k = 0; k < m.cols(); ++k) {
+    for (Eigen::Index i = 0; i <= k; ++i) m(i, k) = m(k, i) = m(i, k) + m(k, i);
+  }
+}
+
 /// C with (F C)ᵀ F C = I and CᵀC diagonal, ascending. Columns of F are scaled to one length first:
 /// then the singular values are as accurate as the data.
 MatrixXd whitening(const MatrixXd& F) {
@@ -32,16 +38,18 @@ QuadraticProgram::QuadraticProgram(const PredictedResponse& response, double gam
   C_ = whitening(response.factor(reference));
   R_ = symmetric(gamma_w * C_.transpose() * C_);
 
-  std::vector<MatrixXd> factors;
-  for (const auto& F : response.factors) factors.push_back(scale_ * F * C_);
-  for (std::size_t a = 0; a < factors.size(); ++a) {
-    for (std::size_t b = 0; b <= a; ++b)
-      S_.push_back(symmetric(factors[a].transpose() * factors[b]));
+  const Eigen::Index r = response.factors.front().rows(), n = size();
+  factors_.resize(r, n * p_);
+  const auto factor_of = [&](int i) { return factors_.middleCols(n * i, n); };
+  for (int i = 0; i < p_; ++i)
+    factor_of(i) = scale_ * response.factors[static_cast<std::size_t>(i)] * C_;
+  for (int i = 0; i < p_; ++i) {
+    for (int j = 0; j <= i; ++j) S_.push_back(symmetric(factor_of(i).transpose() * factor_of(j)));
   }
   if (!response.homogeneous()) {
-    const MatrixXd offset = response.offset * C_;
-    S_00_ = symmetric(offset.transpose() * offset);
-    for (const MatrixXd& F : factors) S_offset_.push_back(symmetric(offset.transpose() * F));
+    offset_ = response.offset * C_;
+    S_00_ = symmetric(offset_.transpose() * offset_);
+    for (int i = 0; i < p_; ++i) S_offset_.push_back(symmetric(offset_.transpose() * factor_of(i)));
   }
   for (PeakConstraint& peak : peaks_) {
     peak.rows *= scale_ / peak.limit;
@@ -50,24 +58,23 @@ QuadraticProgram::QuadraticProgram(const PredictedResponse& response, double gam
   }
 }
 
-void QuadraticProgram::N(const Eigen::Ref<const VectorXd>& a, MatrixXd& out) const {
-  if (homogeneous())
-    out.setZero(size(), size());
-  else
-    out = S_00_;
-  for (int i = 0; i < p_; ++i) {
-    if (!homogeneous()) out += 2.0 * a(i) * S_0(i);
-    out += a(i) * a(i) * S(i, i);
-    for (int j = 0; j < i; ++j) out += 2.0 * a(i) * a(j) * S(i, j);
-  }
+void QuadraticProgram::factor(const Eigen::Ref<const VectorXd>& a, MatrixXd& F) const {
+  const Eigen::Index r = factors_.rows(), n = size();
+  F.resize(r, n);
+  Eigen::Map<VectorXd> entries(F.data(), r * n);
+  entries.noalias() = Eigen::Map<const MatrixXd>(factors_.data(), r * n, p_) * a;
+  if (!homogeneous()) F += offset_;
 }
 
-void QuadraticProgram::derivative(const Eigen::Ref<const VectorXd>& a, int i, MatrixXd& out) const {
-  if (homogeneous())
-    out.setZero(size(), size());
-  else
-    out = 2.0 * S_0(i);
-  for (int j = 0; j < p_; ++j) out += 2.0 * a(j) * S(i, j);
+void QuadraticProgram::derivative(const MatrixXd& F, int i, MatrixXd& out) const {
+  out.noalias() = F.transpose() * factors_.middleCols(Eigen::Index{size()} * i, size());
+  addTranspose(out);
+}
+
+void QuadraticProgram::derivatives(const MatrixXd& F, MatrixXd& out) const {
+  const Eigen::Index n = size();
+  out.noalias() = F.transpose() * factors_;
+  for (int i = 0; i < p_; ++i) addTranspose(out.middleCols(n * i, n));
 }
 
 void QuadraticProgram::H(const MatrixXd& Z, MatrixXd& out) const {
@@ -78,14 +85,16 @@ void QuadraticProgram::H(const MatrixXd& Z, MatrixXd& out) const {
 }
 
 MatrixXd QuadraticProgram::N(const VectorXd& a) const {
-  MatrixXd out;
-  N(a, out);
+  MatrixXd F, out;
+  factor(a, F);
+  N(F, out);
   return out;
 }
 
 MatrixXd QuadraticProgram::derivative(const VectorXd& a, int i) const {
-  MatrixXd out;
-  derivative(a, i, out);
+  MatrixXd F, out;
+  factor(a, F);
+  derivative(F, i, out);
   return out;
 }
 

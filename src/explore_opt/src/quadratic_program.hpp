@@ -31,7 +31,8 @@ struct PeakConstraint {
 };
 
 /// The design problem after a change of coordinates a = s â, N̂ = Cᵀ N C (which keeps the order of
-/// matrices). N(a) = S_00 + 2 Σ a_i S_0i + Σ a_i a_j S_ij; S_00 and S_0i only if x_0 is not zero.
+/// matrices). N(a) = F(a)ᵀ F(a) = S_00 + 2 Σ a_i S_0i + Σ a_i a_j S_ij, F(a) = F_0 + Σ a_i F_i,
+/// S_ij the symmetric part of F_iᵀ F_j; what bears a 0 only if x_0 is not zero.
 ///
 /// C makes N̂ of the reference amplitudes ã the identity (integrators and unstable modes spread it
 /// over many decades) and turns R̂ diagonal, smallest entry first, so that the direction in which
@@ -53,9 +54,16 @@ class QuadraticProgram {
   Eigen::MatrixXd N(const Eigen::VectorXd& a) const;
   Eigen::MatrixXd derivative(const Eigen::VectorXd& a, int i) const;  ///< ∂N/∂a_i
   Eigen::MatrixXd H(const Eigen::MatrixXd& Z) const;                  ///< tr(Z S_ab), Z symmetric
-  // The same into memory that the caller keeps, for the inner loops of solvers.
-  void N(const Eigen::Ref<const Eigen::VectorXd>& a, Eigen::MatrixXd& out) const;
-  void derivative(const Eigen::Ref<const Eigen::VectorXd>& a, int i, Eigen::MatrixXd& out) const;
+
+  // The same into memory that the caller keeps, for the inner loops of solvers. F, r x n, comes
+  // from factor(a).
+  void factor(const Eigen::Ref<const Eigen::VectorXd>& a, Eigen::MatrixXd& F) const;
+  static void N(const Eigen::MatrixXd& F, Eigen::MatrixXd& out) {
+    out.noalias() = F.transpose() * F;
+  }
+  void derivative(const Eigen::MatrixXd& F, int i, Eigen::MatrixXd& out) const;
+  /// ∂N/∂a_0, ∂N/∂a_1, ... side by side, n x n p
+  void derivatives(const Eigen::MatrixXd& F, Eigen::MatrixXd& out) const;
   void H(const Eigen::MatrixXd& Z, Eigen::MatrixXd& out) const;
 
   /// Scaled: limit 1.
@@ -80,6 +88,7 @@ class QuadraticProgram {
   int p_;
   double scale_;
   Eigen::MatrixXd C_, R_, S_00_;
+  Eigen::MatrixXd factors_, offset_;  ///< [F_0' F_1' ...], r x n p; F_0, empty from rest
   std::vector<Eigen::MatrixXd> S_, S_offset_;
   std::vector<PeakConstraint> peaks_;
 };

@@ -36,10 +36,11 @@ constexpr unsigned kSecondsPerInput = 60;
 constexpr rlim_t kMemory = rlim_t{2} << 30;  // [bytes]
 
 std::uint64_t current = 0;  // for the signal handler
+std::string current_text;
 
 void onSignal(int signal) {
-  const std::string text =
-      fmt::format("fuzz_inputs: input {} ended by signal {}\n", current, signal);
+  const std::string text = fmt::format("fuzz_inputs: input {} ended by signal {}\n{:.4000}\n",
+                                       current, signal, current_text);
   (void)!write(STDERR_FILENO, text.data(), text.size());
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -340,7 +341,7 @@ char tryInput(std::uint64_t input, const Corpus& corpus) {
   Dice dice(input);
   const Kind kind = kindOf(dice);
   const std::size_t which = dice.below(corpus.problems.size());
-  const std::string text = textOf(kind, corpus, dice, which);
+  const std::string text = current_text = textOf(kind, corpus, dice, which);
   std::string what;
   try {
     use(kind, text, corpus, dice, which);

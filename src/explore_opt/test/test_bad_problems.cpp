@@ -55,7 +55,7 @@ const std::vector<BadProblem>& badProblems() {
       {"D zero", R"({"D_des": 0})", 2, "it must ask for something"},
       {"gamma_w zero", R"({"gamma_w": 0})", 2, "gamma_w = 0; must be a finite number above 0"},
       {"gamma_w negative", R"({"gamma_w": -20})", 2, "gamma_w = -20"},
-      {"gamma_w beyond doubles", R"({"gamma_w": 1e400})", 2, "out_of_range"},
+      {"gamma_w beyond doubles", R"({"gamma_w": 1e400})", 2, "problem.json: number overflow parsing '1e400'"},
       {"frequency above 1/2", R"({"harmonics": null, "frequencies": [0.1, 0.7]})", 2,
        "frequencies[1] = 0.7; must lie between 0 and 1/2"},
       {"frequency negative", R"({"harmonics": null, "frequencies": [-0.1]})", 2,

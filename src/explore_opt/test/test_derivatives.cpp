@@ -1,9 +1,13 @@
 /// Gradients and Hessians against central differences.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "barrier_program.hpp"
 #include "design_tools.hpp"
 #include "factor_program.hpp"
+#include "ipopt_solver.hpp"
 #include "relaxation.hpp"
 #include "thesis_problem.hpp"
 
@@ -290,4 +294,45 @@ TEST(LmiSolver, StopsWhereThereIsNoMaximum) {  // max t s.t. I + t I ⪰ 0
   const LmiSolution solution = solveLmi(program, VectorXd::Zero(1), 1e-9, 50.0);
   EXPECT_FALSE(solution.converged);
   EXPECT_GT(solution.y(0), 50.0);
+}
+
+namespace {
+
+/// min ½‖x‖² s.t. x_0 x_1 = 1, whose slope is not finite where x_0 = 0.
+class BrokenAtZero : public SmoothProgram {
+ public:
+  int numVariables() const override { return 2; }
+  int numConstraints() const override { return 1; }
+  bool objective(const VectorXd& x, double& f) override {
+    f = 0.5 * x.squaredNorm();
+    return true;
+  }
+  bool gradient(const VectorXd& x, VectorXd& g) override {
+    g = x;
+    return true;
+  }
+  void constraints(const VectorXd& x, VectorXd& c) override { c(0) = x(0) * x(1) - 1.0; }
+  Positions jacobianPositions() const override { return {{0, 0}, {0, 1}}; }
+  void jacobian(const VectorXd& x, VectorXd& values) override {
+    values(0) = x(0) == 0.0 ? std::numeric_limits<double>::quiet_NaN() : x(1);
+    values(1) = x(0) == 0.0 ? std::numeric_limits<double>::infinity() : x(0);
+  }
+  Positions hessianPositions() const override { return {{0, 0}, {1, 0}, {1, 1}}; }
+  bool hessian(const VectorXd&, double weight, const VectorXd& lambda, VectorXd& values) override {
+    values << weight, lambda(0), weight;
+    return true;
+  }
+};
+
+}  // namespace
+
+// MUMPS, behind Ipopt, ends the process on such a Jacobian.
+TEST(IpoptSolver, NumbersThatAreNotFiniteEndInAFailure) {
+  BrokenAtZero program;
+  IpoptSolver solver(1e-9, 50);
+  EXPECT_EQ(solver.solve(program, {Eigen::Vector2d(0.0, 2.0), {}}).status, SolverStatus::kFailed);
+  EXPECT_EQ(solver.solve(program, {Eigen::Vector2d(NAN, 2.0), {}}).status, SolverStatus::kFailed);
+  const SolverAnswer answer = solver.solve(program, {Eigen::Vector2d(2.0, 1.0), {}});
+  EXPECT_EQ(answer.status, SolverStatus::kConverged);
+  EXPECT_NEAR(answer.x(0), 1.0, 1e-6);
 }

@@ -27,10 +27,10 @@ std::int64_t wholeNanoseconds(double seconds) {
 }
 
 void check(const SimulatorOptions& options) {
-  if (!(options.gravity >= 0) || !std::isfinite(options.gravity)) {
-    throw std::invalid_argument(fmt::format(
-        "simulation.gravity = {} m/s^2; must be a finite number >= 0", shortest(options.gravity)));
-  }
+  if (options.gravity >= 0 && std::isfinite(options.gravity)) return;
+  throw std::invalid_argument(
+      fmt::format("simulation.gravity = {} m/s^2; must be {}>= 0", shortest(options.gravity),
+                  std::isfinite(options.gravity) ? "" : "a finite number "));
 }
 
 void check(const VehicleState& state, const VehicleModel& model) {

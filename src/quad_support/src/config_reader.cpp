@@ -14,19 +14,9 @@
 #include "quad_support/atomic_file.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/number_format.hpp"
-#include "yaml_override.hpp"
+#include "range_text.hpp"
 
 namespace quad_support {
-
-Range Range::any(std::string unit) { return closed(-HUGE_VAL, HUGE_VAL, std::move(unit)); }
-Range Range::positive(std::string unit) { return open(0.0, HUGE_VAL, std::move(unit)); }
-Range Range::nonNegative(std::string unit) { return closed(0.0, HUGE_VAL, std::move(unit)); }
-Range Range::closed(double min, double max, std::string unit) {
-  return {min, max, false, false, std::move(unit)};
-}
-Range Range::open(double min, double max, std::string unit) {
-  return {min, max, true, true, std::move(unit)};
-}
 
 struct ConfigReader::Node {
   YAML::Node yaml;
@@ -49,26 +39,6 @@ int lineOf(const YAML::Node& node) { return node.Mark().line + 1; }
 /// "file:12"; what comes from elsewhere than the file's text has no line.
 std::string place(const std::string& file, int line) {
   return line > 0 ? fmt::format("{}:{}", file, line) : file;
-}
-
-/// @param what  "" or "a finite number ", for a value that is none
-std::string describe(const Range& r, const std::string& what = "") {
-  const std::string unit = r.unit.empty() ? "" : " " + r.unit;
-  if (std::isfinite(r.min) && std::isfinite(r.max)) {
-    return fmt::format("must {} {}{}, {}{}{}", what.empty() ? "lie in" : "be " + what + "in",
-                       r.open_min ? "(" : "[", shortest(r.min), shortest(r.max),
-                       r.open_max ? ")" : "]", unit);
-  }
-  if (std::isfinite(r.min))
-    return fmt::format("must be {}{} {}{}", what, r.open_min ? ">" : ">=", shortest(r.min), unit);
-  if (std::isfinite(r.max))
-    return fmt::format("must be {}{} {}{}", what, r.open_max ? "<" : "<=", shortest(r.max), unit);
-  return "must be a finite number" + (r.unit.empty() ? "" : " in " + r.unit);
-}
-
-bool contains(const Range& r, double value) {
-  return (r.open_min ? value > r.min : value >= r.min) &&
-         (r.open_max ? value < r.max : value <= r.max);
 }
 
 std::string valueText(const YAML::Node& node) {
@@ -130,6 +100,69 @@ std::shared_ptr<NodeType> makeNode(const YAML::Node& yaml, const std::string& fi
 }  // namespace
 
 namespace {
+
+YAML::Node parseYaml(const std::string& text, const std::string& name) {
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::Exception& e) {
+    throw ConfigError(fmt::format("{}:{}: not valid YAML: {}", name, e.mark.line + 1, e.msg));
+  }
+}
+
+/// A copy that claims no line of the file, so that complaints name the line of its key.
+YAML::Node unmarked(const YAML::Node& node) {
+  if (node.IsSequence()) {
+    YAML::Node list(YAML::NodeType::Sequence);
+    for (const auto& entry : node) list.push_back(unmarked(entry));
+    return list;
+  }
+  if (node.IsMap()) {
+    YAML::Node map(YAML::NodeType::Map);
+    for (const auto& entry : node) map[unmarked(entry.first)] = unmarked(entry.second);
+    return map;
+  }
+  return node.IsNull() ? YAML::Node() : YAML::Node(node.Scalar());
+}
+
+/// "control.altitude[0]" as {"control", "altitude", "0"}.
+std::vector<std::string> stepsTo(const std::string& key) {
+  std::vector<std::string> steps(1);
+  for (const char c : key) {
+    if (c == '.' || c == '[')
+      steps.emplace_back();
+    else if (c != ']')
+      steps.back() += c;
+  }
+  return steps;
+}
+
+/// The entry of a map or list; undefined if there is none.
+YAML::Node entryOf(const YAML::Node& node, const std::string& step) {
+  if (node.IsMap()) return node[step];
+  const bool index =
+      !step.empty() && step.size() < 7 && step.find_first_not_of("0123456789") == std::string::npos;
+  return node.IsSequence() && index ? node[std::stoul(step)]
+                                    : YAML::Node(YAML::NodeType::Undefined);
+}
+
+void applyOverride(const YAML::Node& root, const std::string& name, const Override& o) {
+  const std::vector<std::string> steps = stepsTo(o.key);
+  YAML::Node at = root;
+  for (const std::string& step : steps) {
+    const YAML::Node next = entryOf(at, step);
+    if (next.IsDefined()) {
+      at.reset(next);
+    } else if (at.IsMap() && !step.empty() && &step == &steps.back()) {
+      at[step] = unmarked(parseYaml(o.value, o.key));  // one the text could have had
+      return;
+    } else {
+      throw ConfigError(fmt::format(
+          "{} has no key {}; if its section may be left out, set that one first, to {{}}", name,
+          o.key));
+    }
+  }
+  at = unmarked(parseYaml(o.value, o.key));
+}
 
 std::string flow(const YAML::Node& node) {
   YAML::Emitter out;

@@ -10,8 +10,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-using StackMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kStackOrder, kStackOrder>;
+using StackMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                  kStackOrder, kStackOrder>;
 
 bool fitsStack(const MatrixXd& m) { return m.rows() <= kStackOrder && m.cols() <= kStackOrder; }
 
