@@ -12,11 +12,7 @@
 namespace {
 
 using quad_sim::Multibody;
-using quad_sim::bench::Flight;
-using quad_sim::bench::kAltitude;
-using quad_sim::bench::kGravity;
-using quad_sim::bench::kStep;
-using quad_sim::bench::kStepsPerInterval;
+using namespace quad_sim::bench;
 
 constexpr int kIntervals = 430;
 
