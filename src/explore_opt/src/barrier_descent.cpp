@@ -14,7 +14,15 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kShrink = 0.2;
-constexpr int kStepsALevel = 40;
+/// How far a level of μ is followed: on the way only near enough for the next one.
+struct Effort {
+  int steps;
+  double decrement;  ///< square of Newton's, in units of μ, to stop at
+};
+constexpr Effort kOnTheWay{15, 0.1}, kAtAnEnd{40, 1e-4};
+/// Multipliers are taken this many times before the end, where S(a) is farther from singular and
+/// its inverse has more digits.
+constexpr double kMultiplierLevel = 25.0;
 
 /// Of a Cholesky factor, by its pivots.
 bool isWellScaled(const Eigen::LLT<MatrixXd>& llt) {
@@ -49,12 +57,12 @@ class Barrier {
     return std::isfinite(f) ? f : kInfinity;
   }
 
-  /// To a minimiser: Newton's steps until the decrement is small beside μ.
-  void minimise(VectorXd& a) {
+  /// Towards a minimiser, by Newton's steps.
+  void minimise(VectorXd& a, const Effort& effort) {
     double f = value(a);
-    for (int i = 0; i < kStepsALevel && std::isfinite(f); ++i) {
+    for (int i = 0; i < effort.steps && std::isfinite(f); ++i) {
       const double slope = stepFrom(a, step_);
-      if (!step_.allFinite() || !(slope < -1e-4 * mu_)) break;
+      if (!step_.allFinite() || !(slope < -effort.decrement * mu_)) break;
       double t = 1.0;
       trial_ = a + step_;
       double next = value(trial_);
@@ -173,15 +181,17 @@ BarrierPoint descendBarrier(const QuadraticProgram& program, const VectorXd& sta
   if (!std::isfinite(barrier.value(start))) return point;
   point.a = start;
   for (;;) {
-    barrier.minimise(point.a);
-    if (mu <= last) break;
+    const bool multiplier = point.Z.size() == 0 && mu <= kMultiplierLevel * last;
+    barrier.minimise(point.a, multiplier || mu <= last ? kAtAnEnd : kOnTheWay);
+    if (multiplier) {
+      barrier.sharpen(point.a);
+      point.Z = barrier.multiplier(point.a);
+      point.nu = barrier.peakMultipliers(point.a);
+    }
+    if (mu <= last) return point;
     mu = std::max(last, kShrink * mu);
     barrier.setWeight(mu);
   }
-  barrier.sharpen(point.a);
-  point.Z = barrier.multiplier(point.a);
-  point.nu = barrier.peakMultipliers(point.a);
-  return point;
 }
 
 }  // namespace explore_opt

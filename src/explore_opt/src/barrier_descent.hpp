@@ -14,7 +14,7 @@ struct BarrierPoint {
 
 /// Follows the minimisers of  ½‖a‖² - μ log det S(a) - ½ μ Σ log room_k(a)  down to n μ = `gap` of
 /// ½‖a‖², from a strictly feasible start of norm about one. Only p unknowns, whatever n: Newton's
-/// steps with the moduli of the Hessian's eigenvalues, for it is indefinite
+/// steps, with the moduli of the Hessian's eigenvalues where it is indefinite
 /// (I + μ tr(W S_i W S_j) - 2 μ H(W), math.md 4), and Armijo's rule.
 BarrierPoint descendBarrier(const QuadraticProgram& program, const Eigen::VectorXd& start,
                             double gap);

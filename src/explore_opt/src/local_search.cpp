@@ -14,6 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kKktTolerance = 1e-6;
+constexpr double kSameCost = 1e-8;  // relative; the barrier ends within its gap of a minimum
 
 /// On the boundary, or as it stands where peaks forbid scaling; empty if it is not feasible.
 VectorXd pulledBack(const DesignTask& task, const VectorXd& a) {
@@ -32,12 +33,12 @@ LocalSolution descend(const DesignTask& task, const QuadraticProgram& scaled, co
       descendBarrier(scaled, (1.0 + std::max(margin, 1e-2)) * scaled.toScaled(start), 1e-9);
   if (point.a.size() == 0) return solution;
   const VectorXd a = pulledBack(task, scaled.toAmplitudes(point.a));
-  if (a.size() == 0 || (solution.amplitudes.size() > 0 && a.norm() > solution.amplitudes.norm()))
-    return solution;
-  solution.amplitudes = a;
+  const double before = solution.amplitudes.size() > 0 ? solution.amplitudes.norm() : kInfinity;
+  if (a.size() == 0 || a.norm() > (1.0 + kSameCost) * before) return solution;
+  if (a.norm() < before) solution.amplitudes = a;  // else it began at the minimum
   solution.root = scaled.toRoot(point.Z);
   solution.nu = scaled.toCost(1.0) * point.nu;
-  solution.optimal = satisfiesKkt(scaled, scaled.toScaled(a), point.Z, point.nu);
+  solution.optimal = satisfiesKkt(scaled, scaled.toScaled(solution.amplitudes), point.Z, point.nu);
   solution.status = solution.optimal ? SolverStatus::kConverged : SolverStatus::kStalled;
   return solution;
 }

@@ -263,6 +263,17 @@ void publish(const std::string& path, const std::map<std::string, Group>& groups
 
 }  // namespace
 
+/// EXPLORE_OPT_FAMILY_PROBLEM=239: that one alone, told on stdout.
+TEST(RandomFamily, OneProblem) {
+  const char* number = std::getenv("EXPLORE_OPT_FAMILY_PROBLEM");
+  if (number == nullptr) GTEST_SKIP() << "EXPLORE_OPT_FAMILY_PROBLEM names none";
+  const int index = std::atoi(number);
+  const Member m = member(index);
+  const Judgement j = judge(m, false);
+  expectGood(m, j);
+  fmt::print("{}{}\n", row(index, m, j), j.result.message);
+}
+
 TEST(RandomFamily, EveryAnswerHolds) {
   const char* path = std::getenv("EXPLORE_OPT_FAMILY");
   std::map<std::string, Group> groups;
