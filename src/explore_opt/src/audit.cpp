@@ -286,6 +286,51 @@ bool close(Real a, Real b, Real tolerance) {
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
+/// The same up to a positive factor: bounds do not depend on it.
+bool sameUpToScale(const Matrix& a, const Matrix& b) {
+  const Real na = a.norm(), nb = b.norm();
+  if (na == 0.0L || nb == 0.0L) return na == nb;
+  return (a / na - b / nb).norm() <= 1e-6L;
+}
+
+/// What is said beside the amplitudes and the bound: nothing of it is used, but a reader may.
+void checkTheRest(const ExplorationProblem& problem, const DesignClaims& claims, const Matrix& Y,
+                  int runs, AuditReport& report) {
+  const auto add = [&](const char* name, bool passed, const std::string& finding) {
+    report.checks.push_back({name, passed, finding});
+  };
+  add("experiments", runs == problem.experiments,
+      fmt::format("the design has amplitudes for {}; the problem asks for {}", runs,
+                  problem.experiments));
+  if (claims.lambda_min) {
+    add("lambda_min", close(report.lambda_min, *claims.lambda_min, 1e-6L),
+        fmt::format("{:.12g} of gamma_w D_des from the amplitudes; claimed {:.12g}",
+                    report.lambda_min, *claims.lambda_min));
+  }
+  if (!claims.status.empty()) {
+    const bool answered = claims.status == "solved" || claims.status == "reduced_accuracy" ||
+                          claims.status == "iteration_limit";
+    add("status", answered,
+        fmt::format("there are amplitudes; the status claimed is '{}'", claims.status));
+  }
+  if (claims.multiplier_root.size() == 0) return;
+  const Matrix M = Y * Y.transpose(), D = meaning(problem);
+  if (claims.multiplier.size() > 0) {
+    const Matrix claimed = claims.multiplier.cast<Real>();
+    add("multiplier",
+        claimed.rows() == M.rows() && claimed.cols() == M.cols() && sameUpToScale(claimed, M),
+        "the multiplier beside multiplier_root must be its Y Y^T");
+  }
+  const bool comparable = problem.known.size() == 0 && claims.certificate.rows() == D.rows() &&
+                          D.rows() == M.rows() && Eigen::LLT<Matrix>(D).info() == Eigen::Success;
+  if (comparable) {
+    const Matrix root = Eigen::SelfAdjointEigenSolver<Matrix>(D).operatorSqrt();
+    const Matrix claimed = claims.certificate.cast<Real>();
+    add("certificate", claimed.cols() == M.cols() && sameUpToScale(claimed, root * M * root),
+        "the certificate beside multiplier_root must be D^{1/2} Y Y^T D^{1/2}");
+  }
+}
+
 }  // namespace
 
 bool AuditReport::passed() const {
@@ -338,6 +383,7 @@ AuditReport audit(const ExplorationProblem& problem, const DesignClaims& claims)
                     norm ? std::string("||u_k||") : fmt::format("|u_{}|", j + 1), peak,
                     problem.u_max(j)));
   }
+  checkTheRest(problem, claims, Y, static_cast<int>(s.data.size()), report);
   return report;
 }
 

@@ -47,6 +47,14 @@ DesignClaims claimsFromJson(const std::string& text, const std::string& source,
   claims.gamma_e = number(object, "gamma_e", source);
   claims.lower_bound = number(object, "lower_bound", source);
   claims.gap = number(object, "gap", source);
+  if (object.contains("lambda_min") && !object.at("lambda_min").is_null())
+    claims.lambda_min = number(object, "lambda_min", source);
+  if (object.contains("status")) {
+    if (!object.at("status").is_string())
+      throw ConfigError(
+          fmt::format("{}: status = {}; must be a word", source, object.at("status").dump()));
+    claims.status = object.at("status").get<std::string>();
+  }
   const char* key = object.contains("experiments") ? "experiments" : "amplitudes";
   if (!object.contains(key)) throw ConfigError(fmt::format("{}: {} are missing", source, key));
   claims.amplitudes = amplitudeTables(object.at(key), problem.phase, source);

@@ -1,3 +1,5 @@
+#include <set>
+
 #include "checks.hpp"
 #include "explore_opt/identification.hpp"
 
@@ -44,6 +46,14 @@ MatrixXd columns(const CsvTable& table, const std::vector<std::string>& names,
 DataSet selectData(const CsvTable& table, const std::string& name,
                    const std::vector<std::string>& states, const std::vector<std::string>& inputs,
                    const std::string& where, double gamma_w) {
+  std::set<std::string> taken;
+  for (const auto* names : {&states, &inputs}) {
+    for (const std::string& column : *names) {
+      require(taken.insert(column).second,
+              "--states and --inputs: column {} is given twice; a signal is one state or one input",
+              column);
+    }
+  }
   const auto rows = selectRows(table, name, where);
   return {name, columns(table, states, rows, rows.size()),
           columns(table, inputs, rows, rows.size() - 1), gamma_w};

@@ -169,6 +169,11 @@ ExplorationProblem problemFromJson(const std::string& text, const std::string& s
   if (in.has("harmonics")) problem.lines.harmonics = in.integers("harmonics");
   if (in.has("frequencies")) problem.lines.frequencies = in.numbers("frequencies");
   problem.gamma_w = in.number("gamma_w");
+  if (!in.at("D_des").is_number() && !in.at("D_des").is_array()) {
+    throw ConfigError(
+        fmt::format("{}: D_des = {}; must be a number or a list of rows, [[...], ...]", source,
+                    in.at("D_des").dump()));
+  }
   problem.D_des = in.at("D_des").is_number() ? Eigen::MatrixXd::Constant(1, 1, in.number("D_des"))
                                              : in.matrix("D_des");
   if (in.has("x0")) problem.x0 = in.vector("x0");

@@ -158,8 +158,11 @@ void addAnswers(const IdentificationRequest& request, const Coordinates& coordin
   if (!out.set.falsified()) addEntryIntervals(coordinates, out);
   for (const ParameterFunction& f : functions)
     out.functions.push_back(intervalOf(out.set, coordinates.restrict(f)));
-  if (request.candidate)
-    out.candidate_distance = distance(out.set, coordinates.restrict(*request.candidate));
+  if (!request.candidate) return;
+  const MatrixXd candidate = coordinates.restrict(*request.candidate);
+  out.candidate_distance = distance(out.set, candidate);
+  for (const Estimate& e : out.data_sets)
+    if (out.data_sets.size() > 1) out.candidate_distances.push_back(distance(e.set, candidate));
 }
 
 void fuseEstimates(const IdentificationRequest& request, const Coordinates& coordinates,
@@ -183,7 +186,14 @@ void fuseEstimates(const IdentificationRequest& request, const Coordinates& coor
 
 }  // namespace
 
+bool Identification::candidateIsMember(std::size_t data_set) const {
+  const FeasibleSet& one = data_sets[data_set].set;
+  return !one.falsified() && candidate_distances[data_set] <= one.G + 1e-10 * one.gamma_w;
+}
+
 bool Identification::candidateIsMember() const {
+  for (std::size_t i = 0; i < candidate_distances.size(); ++i)
+    if (!candidateIsMember(i)) return false;
   return exciting && candidate_distance && !set.falsified() &&
          *candidate_distance <= set.G + 1e-10 * set.gamma_w;  // as contains()
 }
@@ -230,6 +240,13 @@ std::string complaint(const Identification& v) {
         "singular value {:.3g}; excite more",
         e.name, e.condition, e.singular_values.tail(1)(0));
   }
+  for (const Estimate& e : v.data_sets) {
+    if (v.data_sets.size() == 1 || !v.exciting || !e.set.falsified()) continue;
+    return fmt::format(
+        "{}: gamma_w = {} is smaller than the residual energy, so G = {:.6g} < 0 and no parameter "
+        "fits this data set (Eq. 1.8). Raise its --gamma-w or look at the data",
+        e.name, e.set.gamma_w, e.set.G);
+  }
   if (v.falsified() && v.data_sets.size() > 1) {
     return fmt::format(
         "the data sets contradict one another: no parameter lies in all of their sets (G = {:.6g} "
@@ -247,6 +264,13 @@ std::string complaint(const Identification& v) {
         "exploration condition not met: the data guarantee the desired closeness for G <= {:.6g}, "
         "but G = {:.6g} (Eq. 1.10)",
         *v.margin, v.set.G);
+  }
+  for (std::size_t i = 0; i < v.candidate_distances.size(); ++i) {
+    if (v.candidateIsMember(i)) continue;
+    return fmt::format(
+        "the candidate [A B] is not among the parameters that {} leaves possible: distance {:.6g}, "
+        "G = {:.6g} (Eq. 1.7)",
+        v.data_sets[i].name, v.candidate_distances[i], v.data_sets[i].set.G);
   }
   if (v.candidate_distance && !v.candidateIsMember()) {
     return fmt::format(

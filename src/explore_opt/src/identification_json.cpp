@@ -79,7 +79,14 @@ ordered_json identificationToJson(const Identification& v) {
     out["exciting"] = v.exciting;
     out["weights"] = v.weights;
     out["data_sets"] = ordered_json::array();
-    for (const Estimate& e : v.data_sets) out["data_sets"].push_back(dataSetToJson(e));
+    for (std::size_t i = 0; i < v.data_sets.size(); ++i) {
+      ordered_json one = dataSetToJson(v.data_sets[i]);
+      if (i < v.candidate_distances.size()) {
+        one["candidate"] = {{"member", v.candidateIsMember(i)},
+                            {"distance", v.candidate_distances[i]}};
+      }
+      out["data_sets"].push_back(one);
+    }
   }
   if (!v.free.empty()) {
     out["free"] = ordered_json::array();

@@ -25,6 +25,7 @@ class Parser {
     at_ = equals == std::string::npos ? 0 : equals + 1;
     function.numerator = sum();
     if (take('/')) function.denominator = sum();
+    if (peek() == '*') fail("holds a product of entries; a sum, or one sum over another, is meant");
     if (peek() != '\0') fail("ends with something unknown");
     return function;
   }
@@ -37,7 +38,8 @@ class Parser {
 
   [[noreturn]] void fail(const std::string& what) const {
     throw quad_support::DataError(fmt::format(
-        "function '{}' {} (at character {}); write A12, B1, A(1,2), numbers, + - *, and one /",
+        "function '{}' {} (at character {}); write A12, B1, A(1,2), numbers, + - *, and "
+        "one /",
         text_, what, at_ + 1));
   }
 

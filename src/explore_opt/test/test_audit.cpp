@@ -109,20 +109,20 @@ TEST(Audit, FindsWhatWasTamperedWith) {
 
   DesignClaims tampered = honest;
   tampered.amplitudes *= 0.99;  // cheaper than possible
-  EXPECT_EQ(failures(problem, tampered), "feasible cost ");
+  EXPECT_EQ(failures(problem, tampered), "feasible cost lambda_min ");
   tampered.gamma_e *= 0.99;  // and the claims fitted to it
   tampered.gap = (tampered.gamma_e - tampered.lower_bound) / tampered.gamma_e;
-  EXPECT_EQ(failures(problem, tampered), "feasible gap ");
+  EXPECT_EQ(failures(problem, tampered), "feasible gap lambda_min ");
 
   tampered = honest;
   tampered.amplitudes(2, 0) *= -1.0;  // same norm, another direction
-  EXPECT_EQ(failures(problem, tampered), "feasible ");
+  EXPECT_EQ(failures(problem, tampered), "feasible lambda_min ");
 
   tampered = honest;
   tampered.lower_bound *= 1.001;
   tampered.gamma_e *= 1.001;
   tampered.amplitudes *= 1.001;  // all consistent, but the certificate does not prove it
-  EXPECT_EQ(failures(problem, tampered), "lower_bound ");
+  EXPECT_EQ(failures(problem, tampered), "lower_bound lambda_min ");
 
   tampered = honest;
   tampered.gap = 0.5;
@@ -135,7 +135,22 @@ TEST(Audit, FindsWhatWasTamperedWith) {
   EXPECT_EQ(failures(problem, tampered), "lower_bound ");
   tampered = honest;
   tampered.multiplier_root = Eigen::MatrixXd::Identity(3, 3);
-  EXPECT_EQ(failures(problem, tampered), "lower_bound ");
+  EXPECT_EQ(failures(problem, tampered), "lower_bound multiplier certificate ");
+  tampered = honest;  // what the bound does not rest on must fit too
+  tampered.multiplier += 0.01 * honest.multiplier.norm() * Eigen::MatrixXd::Identity(3, 3);
+  EXPECT_EQ(failures(problem, tampered), "multiplier ");
+  tampered = honest;
+  tampered.certificate += 0.01 * honest.certificate.norm() * Eigen::MatrixXd::Identity(3, 3);
+  EXPECT_EQ(failures(problem, tampered), "certificate ");
+  tampered = honest;
+  tampered.lambda_min = 5.0;
+  EXPECT_EQ(failures(problem, tampered), "lambda_min ");
+  tampered = honest;
+  tampered.status = "infeasible";
+  EXPECT_EQ(failures(problem, tampered), "status ");
+  tampered = honest;  // the same signal twice is another experiment
+  tampered.amplitudes = honest.amplitudes.replicate(2, 1).eval();
+  EXPECT_EQ(failures(problem, tampered), "experiments ");
   tampered = honest;  // another Z proves less
   tampered.certificate = Eigen::MatrixXd::Identity(3, 3);
   tampered.multiplier = tampered.multiplier_root = Eigen::MatrixXd();

@@ -189,6 +189,7 @@ TEST(Fusion, FollowsTheFormulaForAnyWeights) {
 
 /// Two inputs, of which each data set moves one: cylinders whose intersection is bounded.
 TEST(Fusion, OfSetsThatOnlyTogetherDetermineAll) {
+  int outside_one = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     const Eigen::MatrixXd Theta = system(seed, 2, 2);
@@ -212,6 +213,18 @@ TEST(Fusion, OfSetsThatOnlyTogetherDetermineAll) {
     ASSERT_TRUE(both.exciting);
     EXPECT_FALSE(both.falsified());
     EXPECT_TRUE(both.candidateIsMember());  // every γ_w is valid
+    EXPECT_TRUE(both.candidateIsMember(0) && both.candidateIsMember(1));
+    // The fused set is larger than what both leave possible: whoever is outside one is no member.
+    for (std::uint64_t i = 0; i < 40; ++i) {
+      request.candidate = pointOf(both.set, i, 1.0);
+      const Identification asked = identify(data, request);
+      const bool each = asked.candidateIsMember(0) && asked.candidateIsMember(1);
+      EXPECT_EQ(asked.candidateIsMember(), each);
+      if (!each) {
+        ++outside_one;
+        EXPECT_NE(complaint(asked).find("leaves possible"), std::string::npos);
+      }
+    }
     // Whatever weights were found, the set is Σ λ_j (residuals of set j) <= Σ λ_j γ_w,j.
     for (std::uint64_t i = 0; i < 20; ++i) {
       const Eigen::MatrixXd point = pointOf(both.set, i, 1.5);
@@ -226,6 +239,7 @@ TEST(Fusion, OfSetsThatOnlyTogetherDetermineAll) {
                   1e-10);  // numbers of the size of one
     }
   }
+  EXPECT_GT(outside_one, 0);
 }
 
 TEST(Fusion, SeesWhatNoSetAloneSees) {

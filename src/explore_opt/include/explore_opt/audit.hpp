@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace explore_opt {
 struct DesignClaims {
   Eigen::MatrixXd amplitudes;  ///< carriers x n_u; several experiments one below the other
   double gamma_e = 0.0, lower_bound = 0.0, gap = 0.0;
+  std::optional<double> lambda_min;
+  std::string status;               ///< as toString(DesignStatus); empty: not claimed
   Eigen::MatrixXd certificate;      ///< Z in coordinates normalised by D_des^{-1/2}; may be empty
   Eigen::MatrixXd multiplier;       ///< M in raw coordinates; may be empty
   Eigen::MatrixXd multiplier_root;  ///< Y, M = Y Yᵀ, taken instead if there is one
@@ -25,7 +28,7 @@ struct DesignClaims {
 
 /// One thing that was recomputed.
 struct AuditCheck {
-  std::string name;  ///< feasible, cost, lower_bound, gap, peak
+  std::string name;  ///< as listed at audit()
   bool passed = false;
   std::string finding;  ///< what was computed and what was claimed
 };
@@ -51,7 +54,11 @@ struct AuditReport {
 ///                over all amplitudes, for M₊ = Y Yᵀ or the positive part of the multiplier, scaled
 ///                as well as possible; the claim must not exceed it by more than 1e-6 (relative)
 ///   gap          is (γ_e - lower_bound)/γ_e, and not below -1e-9
-///   peak         no input above u_max (1 + 1e-9), where there is a limit
+///   peak         no input above u_max (1 + 1e-6), where there is a limit
+///   experiments  as many as the problem asks for
+///   lambda_min   the claim is the computed one to 1e-6, where there is a claim
+///   status       one that comes with an answer, where there is a claim
+///   multiplier, certificate   the same as Y Yᵀ up to a factor, where both are given
 /// @throws quad_support::DataError for claims whose shapes do not fit the problem
 AuditReport audit(const ExplorationProblem& problem, const DesignClaims& claims);
 

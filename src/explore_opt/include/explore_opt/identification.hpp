@@ -61,10 +61,14 @@ struct Identification {
   std::vector<std::string> function_names;
   std::vector<std::optional<Interval>> functions;
   std::optional<double> candidate_distance;  ///< to be compared with set.G
+  /// Of several data sets, to be compared with the G of each: all of them must leave it possible,
+  /// the fused set is larger than what they have in common
+  std::vector<double> candidate_distances;
 
   bool falsified() const { return exciting && set.falsified(); }
   bool conditionMet() const { return exciting && !falsified() && margin && *margin >= set.G; }
   bool candidateIsMember() const;
+  bool candidateIsMember(std::size_t data_set) const;  ///< of one of several
 };
 
 /// @throws quad_support::DataError: shapes that do not fit, values that are not finite, γ_w not

@@ -18,7 +18,8 @@ D_des: a number (times I), n_phi x n_phi (meaning D (x) I) or the full matrix; m
 K (u = K x + signal) and cost (signal | input), known ([A B] with null where unknown), u_max (a number or one an input),
 experiments (runs with amplitudes of their own). The answer's amplitudes: a row a carrier, a column an input; phase both: {"cos": rows, "sin": rows}. --initial takes the
 same rows or a whole answer; only their direction counts, the size is scaled to the boundary.
-Exit code 0: amplitudes found; 3: there are none, or they are not trustworthy (see "status"); 2: bad input.)";
+Exit code 0: amplitudes found; 3: there are none, or they are not trustworthy (see "status"); 2: bad input;
+5: the answer cannot be written.)";
 
 int runDesign(const DesignSettings& settings) {
   const std::string text = quad_support::readFile(settings.problem);
