@@ -49,10 +49,8 @@ void FactorProgram::constraints(const VectorXd& x, VectorXd& c) {
   for (int i = 0; i < n_; ++i) {
     for (int j = 0; j <= i; ++j) c(at(i, j)) = difference_(i, j);
   }
-  for (int k = 0; k < peaks_; ++k) {
-    const double s = x(p_ + triangle_ + k);
-    c(triangle_ + k) = program_.peaks()[static_cast<std::size_t>(k)].room(x.head(p_)) - s * s;
-  }
+  for (int k = 0; k < peaks_; ++k)
+    c(triangle_ + k) = program_.peaks()[static_cast<std::size_t>(k)].room(x.head(p_));
 }
 
 Positions FactorProgram::jacobianPositions() const {
@@ -68,7 +66,6 @@ Positions FactorProgram::jacobianPositions() const {
   }
   for (int k = 0; k < peaks_; ++k) {
     for (int a = 0; a < p_; ++a) positions.emplace_back(triangle_ + k, a);
-    positions.emplace_back(triangle_ + k, p_ + triangle_ + k);
   }
   return positions;
 }
@@ -94,7 +91,6 @@ void FactorProgram::jacobian(const VectorXd& x, VectorXd& values) {
     for (Eigen::Index r = 0; r < peak.rows.rows(); ++r)
       slope -= 2.0 * peak.value(r, x.head(p_)) * peak.rows.row(r).transpose();
     next += p_;
-    values(next++) = -2.0 * x(p_ + triangle_ + k);
   }
 }
 
@@ -108,7 +104,6 @@ Positions FactorProgram::hessianPositions() const {
       for (int k = j; k <= i; ++k) positions.emplace_back(p_ + at(i, j), p_ + at(k, j));
     }
   }
-  for (int k = 0; k < peaks_; ++k) positions.emplace_back(p_ + triangle_ + k, p_ + triangle_ + k);
   return positions;
 }
 
@@ -135,7 +130,6 @@ bool FactorProgram::hessian(const VectorXd&, double weight, const VectorXd& mult
       for (int k = j; k <= i; ++k) values(next++) = -2.0 * Lambda_(i, k);
     }
   }
-  for (int k = 0; k < peaks_; ++k) values(next++) = -2.0 * multipliers(triangle_ + k);
   return true;
 }
 
@@ -149,10 +143,6 @@ VectorXd FactorProgram::startAt(const VectorXd& a) const {
   x.head(p_) = a;
   for (int i = 0; i < n_; ++i) {
     for (int j = 0; j <= i; ++j) x(p_ + at(i, j)) = U(j, j) < 0.0 ? -U(j, i) : U(j, i);
-  }
-  for (int k = 0; k < peaks_; ++k) {
-    const double room = program_.peaks()[static_cast<std::size_t>(k)].room(a);
-    x(p_ + triangle_ + k) = std::sqrt(std::max(room, 0.0));
   }
   return x;
 }

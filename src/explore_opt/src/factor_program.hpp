@@ -8,16 +8,18 @@
 namespace explore_opt {
 
 /// min ½‖a‖² s.t. the lower triangle of N(a) - R - L Lᵀ is zero, L lower triangular with a diagonal
-/// of any sign, and room_k(a) - s_k² = 0 for each peak limit, a 1 x 1 inequality written alike.
-/// Variables: a, then L row by row, then s. Constraints: the lower triangle row by row, then peaks.
+/// of any sign, and room_k(a) >= 0 for each peak limit. (Written as room_k(a) = s_k² a limit would
+/// have no slope in s_k where it is violated and s_k is zero.)
+/// Variables: a, then L row by row. Constraints: the lower triangle row by row, then peaks.
 /// ∂c/∂a_i = ∂N/∂a_i; the Hessian of λᵀc is 2 H(Λ) in a and -2 Λ_ik δ_jl in (L_ij, L_kl), Λ = (λ +
-/// λᵀ)/2; a peak adds -2 λ_k Q_kᵀQ_k in a and -2 λ_k in s_k.
+/// λᵀ)/2; a peak adds -2 λ_k Q_kᵀQ_k in a.
 class FactorProgram : public SmoothProgram {
  public:
   explicit FactorProgram(const QuadraticProgram& program);
 
-  int numVariables() const override { return p_ + triangle_ + peaks_; }
+  int numVariables() const override { return p_ + triangle_; }
   int numConstraints() const override { return triangle_ + peaks_; }
+  int numInequalities() const override { return peaks_; }
   bool objective(const Eigen::VectorXd& x, double& f) override;
   bool gradient(const Eigen::VectorXd& x, Eigen::VectorXd& g) override;
   void constraints(const Eigen::VectorXd& x, Eigen::VectorXd& c) override;

@@ -62,7 +62,9 @@ class Adapter : public Ipopt::TNLP {
     std::fill(xl, xl + n, -2e19);  // Ipopt's "no bound"
     std::fill(xu, xu + n, 2e19);
     std::fill(gl, gl + m, 0.0);
-    std::fill(gu, gu + m, 0.0);
+    const Ipopt::Index equalities = m - program_.numInequalities();
+    std::fill(gu, gu + equalities, 0.0);
+    std::fill(gu + equalities, gu + m, 2e19);
     return true;
   }
 

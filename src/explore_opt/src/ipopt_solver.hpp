@@ -13,7 +13,7 @@ enum class SolverStatus { kConverged, kAcceptable, kStalled, kIterationLimit, kF
 struct SolverAnswer {
   SolverStatus status = SolverStatus::kFailed;
   Eigen::VectorXd x;            ///< last iterate; empty if there was none
-  Eigen::VectorXd multipliers;  ///< λ with ∇f + Jᵀ λ = 0
+  Eigen::VectorXd multipliers;  ///< λ with ∇f + Jᵀ λ = 0, λ <= 0 where c >= 0
   int iterations = 0;
 };
 

@@ -14,23 +14,42 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kKktTolerance = 1e-6;
-constexpr double kSameCost = 1e-8;  // relative; the barrier ends within its gap of a minimum
+constexpr double kPeakTolerance = 1e-7;  // of squares; Ipopt ends within 1e-8, the limits keep
+                                         // 1e-7 of the peak itself in reserve
+constexpr double kSameCost = 1e-8;       // relative; the barrier ends within its gap of a minimum
 
-/// On the boundary, or as it stands where peaks forbid scaling; empty if it is not feasible.
+/// On the boundary; empty if it is not feasible.
 VectorXd pulledBack(const DesignTask& task, const VectorXd& a) {
   if (!a.allFinite() || !(a.norm() > 0.0) || !std::isfinite(task.cost(a))) return {};
   const VectorXd b = task.onBoundary(a);
   for (const PeakConstraint& peak : task.peaks) {
-    if (b.size() == 0 || peak.room(b) < -1e-6) return {};
+    if (b.size() == 0 || peak.room(b) < -kPeakTolerance) return {};
   }
   return b;
+}
+
+/// Largest of the peaks over their limits.
+double highestPeak(const std::vector<PeakConstraint>& peaks, const VectorXd& a) {
+  double least = 1.0;
+  for (const PeakConstraint& peak : peaks) least = std::min(least, peak.room(a));
+  return std::sqrt(1.0 - least);
+}
+
+/// From a strictly feasible point near `start`: outside the boundary, but within the peaks.
+BarrierPoint descendFromNear(const QuadraticProgram& scaled, const VectorXd& start, double margin,
+                             double gap) {
+  for (const double outside : {margin, 1e-3, 1e-4, 1e-6, 1e-8, 0.0}) {
+    const BarrierPoint point = descendBarrier(scaled, (1.0 + outside) * start, gap);
+    if (point.a.size() > 0 || scaled.peaks().empty()) return point;
+  }
+  return {};
 }
 
 /// By the barrier: its last centre is within 1e-9 of a local minimum's cost.
 LocalSolution descend(const DesignTask& task, const QuadraticProgram& scaled, const VectorXd& start,
                       double margin, LocalSolution solution) {
   const BarrierPoint point =
-      descendBarrier(scaled, (1.0 + std::max(margin, 1e-2)) * scaled.toScaled(start), 1e-9);
+      descendFromNear(scaled, scaled.toScaled(start), std::max(margin, 1e-2), 1e-9);
   if (point.a.size() == 0) return solution;
   const VectorXd a = pulledBack(task, scaled.toAmplitudes(point.a));
   const double before = solution.amplitudes.size() > 0 ? solution.amplitudes.norm() : kInfinity;
@@ -46,9 +65,37 @@ LocalSolution descend(const DesignTask& task, const QuadraticProgram& scaled, co
 }  // namespace
 
 VectorXd glimpse(const DesignTask& task, const VectorXd& start) {
-  const QuadraticProgram scaled(task.response, task.gamma_w, start, task.peaks);
-  const BarrierPoint point = descendBarrier(scaled, 1.2 * scaled.toScaled(start), 1e-4);
+  const bool within = !task.peaks.empty();
+  const VectorXd reference = within ? task.onBoundary(start) : start;
+  if (reference.size() == 0) return {};
+  const QuadraticProgram scaled(task.response, task.gamma_w, reference, task.peaks);
+  const BarrierPoint point =
+      descendBarrier(scaled, (within ? 1.0 : 1.2) * scaled.toScaled(start), 1e-4);
   return point.a.size() > 0 ? pulledBack(task, scaled.toAmplitudes(point.a)) : VectorXd();
+}
+
+VectorXd towardsLeastPeak(const DesignTask& task, const VectorXd& start) {
+  constexpr int kMostCentres = 300;
+  constexpr double kSlack = 2e-3;     // of the limits above the peaks of the last centre
+  constexpr double kProgress = 1e-4;  // least decrease a centre
+  constexpr double kInside = 1e-4;    // enough for the barrier to start from
+  DesignTask relaxed = task;
+  VectorXd a = start;
+  for (int i = 0; i < kMostCentres; ++i) {
+    const double ratio = highestPeak(task.peaks, a);
+    if (ratio < 1.0 - kInside) break;
+    for (std::size_t k = 0; k < task.peaks.size(); ++k)
+      relaxed.peaks[k].limit = (1.0 + kSlack) * ratio * task.peaks[k].limit;
+    const VectorXd reference = task.onBoundary(a);
+    if (reference.size() == 0) return {};
+    const QuadraticProgram scaled(task.response, task.gamma_w, reference, relaxed.peaks);
+    const BarrierPoint point = descendBarrier(scaled, scaled.toScaled(a), 0.1);
+    if (point.a.size() == 0) break;
+    const VectorXd next = scaled.toAmplitudes(point.a);
+    if (!(highestPeak(task.peaks, next) < (1.0 - kProgress) * ratio)) break;
+    a = next;
+  }
+  return a;
 }
 
 bool satisfiesKkt(const QuadraticProgram& program, const VectorXd& a, const MatrixXd& Z,

@@ -24,8 +24,13 @@ LocalSolution polish(const DesignTask& task, IpoptSolver& solver, const Eigen::V
 
 /// The local minimum `start` leads to, to about 1e-4 of its cost, by the barrier: a fifth of the
 /// time of polish(), to see whether polishing is worth while. On the boundary; empty if there is
-/// none.
+/// none. With peaks the start must be strictly feasible, without on the boundary.
 Eigen::VectorXd glimpse(const DesignTask& task, const Eigen::VectorXd& start);
+
+/// A point of lower peaks than `start`, strictly feasible as it but for the peaks: down to within
+/// the limits, or to a local minimum of the largest peak relative to its limit. By centres of the
+/// barrier under limits that close in (Huard's method), where the limits of `task` need not hold.
+Eigen::VectorXd towardsLeastPeak(const DesignTask& task, const Eigen::VectorXd& start);
 
 /// n(n+1)/2 equations with n³/3 derivatives: at n = 18 a solve takes a second, the barrier 20 ms.
 constexpr int kLargestFactorProgram = 12;

@@ -1,4 +1,5 @@
-/// A small smooth program with equality constraints, as the solver sees it: min f(x) s.t. c(x) = 0.
+/// A small smooth program as the solver sees it: min f(x) s.t. c(x) = 0 for the first constraints,
+/// c(x) >= 0 for the last ones.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,6 +18,7 @@ class SmoothProgram {
   virtual ~SmoothProgram() = default;
   virtual int numVariables() const = 0;
   virtual int numConstraints() const { return 0; }
+  virtual int numInequalities() const { return 0; }  ///< the last so many of the constraints
   virtual bool objective(const Eigen::VectorXd& x, double& f) = 0;
   virtual bool gradient(const Eigen::VectorXd& x, Eigen::VectorXd& g) = 0;
   virtual void constraints(const Eigen::VectorXd&, Eigen::VectorXd&) {}

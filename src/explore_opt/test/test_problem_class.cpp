@@ -201,6 +201,87 @@ TEST(PeakLimit, TooSmallIsProvenInfeasible) {
   EXPECT_GT(result.lower_bound, std::sqrt(2.0) * 1.0);
 }
 
+/// Three states and two inputs, whose cheapest design has a peak of 1.04.
+ExplorationProblem threeStates(double u_max) {
+  ExplorationProblem problem;
+  problem.A = (MatrixXd(3, 3) << 0.9, 0.2, 0.0, -0.1, 0.8, 0.1, 0.0, 0.1, 0.7).finished();
+  problem.B = (MatrixXd(3, 2) << 1.0, 0.0, 0.0, 1.0, 0.3, -0.2).finished();
+  problem.lines = {200, {5, 17, 40, 61}, {}};
+  problem.phase = Phase::kCos;
+  problem.gamma_w = 2.0;
+  problem.D_des = MatrixXd::Constant(1, 1, 10.0);
+  problem.u_max = VectorXd::Constant(1, u_max);
+  return problem;
+}
+
+double largestInput(const ExplorationProblem& problem, const MatrixXd& amplitudes) {
+  return predictedInputs(problem, amplitudes).colwise().norm().maxCoeff();
+}
+
+/// Feasible, within the limit, and not dearer than a design known to be, but for half a per cent.
+void expectAsGoodAs(const ExplorationProblem& problem, double known_cost) {
+  const DesignResult result = designExploration(problem);
+  ASSERT_TRUE(result.feasible()) << result.message;
+  audit(problem, result);
+  EXPECT_LE(largestInput(problem, result.amplitudes), problem.u_max(0) * (1.0 + 1e-9));
+  EXPECT_LE(result.gamma_e, 1.005 * known_cost);
+}
+
+TEST(PeakLimit, LittleRoomIsFound) {  // costs of designs found by hand within these limits
+  expectAsGoodAs(threeStates(1.0), 1.0616);
+  ExplorationProblem thesis = thesisProblem(Phase::kSin);
+  thesis.lines.harmonics = {3, 9, 15};
+  thesis.u_max = VectorXd::Constant(1, 3.2);
+  expectAsGoodAs(thesis, 3.31595);
+}
+
+TEST(PeakLimit, APlantedDesignIsMatched) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    ExplorationProblem problem = threeStates(1.0);
+    problem.u_max.resize(0);
+    problem.A = randomMatrix(seed, 0, 3, 3);
+    problem.A *= 0.8 / problem.A.norm();
+    problem.B = randomMatrix(seed, 1, 3, 2);
+    MatrixXd planted;  // of the lowest peak among many on the boundary
+    double peak = 0.0;
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      MatrixXd a = randomMatrix(seed, 2 + i, 4, 2);
+      a *= scaledCost(problem, a) / a.norm();
+      const double now = largestInput(problem, a);
+      if (i > 0 && now >= peak) continue;
+      peak = now;
+      planted = a;
+    }
+    problem.u_max = VectorXd::Constant(1, 1.001 * peak);
+    expectAsGoodAs(problem, planted.norm());
+  }
+}
+
+TEST(PeakLimit, TheBoundIsNeverBelowTheOneWithoutIt) {
+  ExplorationProblem problem = thesisProblem(Phase::kSin);
+  const DesignResult free = designExploration(problem);
+  problem.u_max = VectorXd::Constant(1, 2.0);
+  const DesignResult none = designExploration(problem);
+  EXPECT_EQ(none.status, DesignStatus::kInfeasible);
+  EXPECT_GE(none.lower_bound, free.lower_bound);
+  problem.u_max =
+      VectorXd::Constant(1, 3.0);  // large enough for the energy, too small for the peak
+  const DesignResult undecided = designExploration(problem);
+  EXPECT_FALSE(undecided.feasible());
+  EXPECT_GE(undecided.lower_bound, free.lower_bound);
+  EXPECT_NE(undecided.message.find("least peak"), std::string::npos) << undecided.message;
+}
+
+TEST(PeakLimit, IsNotSolvedForSeveralExperimentsNorAreTheyAdvised) {
+  ExplorationProblem problem = threeStates(1.1);  // holds at the optimum without it
+  const DesignResult result = designExploration(problem);
+  ASSERT_GT(result.relaxation_rank, 1);
+  EXPECT_EQ(result.message.find("experiments"), std::string::npos) << result.message;
+  problem.experiments = result.relaxation_rank;
+  EXPECT_THROW(designExploration(problem), DataError);
+}
+
 TEST(PeakLimit, OnTheNormAndOnEachInput) {
   ExplorationProblem problem = twoInputs();
   problem.phase = Phase::kBoth;
