@@ -15,7 +15,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kLargest = 1e100;  // its fourth power overflows
-constexpr double kNoise = 1e-16;    // of a column's length: rounding of the triangle itself
+/// Of the unstable modes within T. Amplitudes that cancel them are found where doubles have digits
+/// left for what remains; beyond this the answer would live in their rounding.
+constexpr double kMostGrowth = 1e13;
+constexpr double kNoise = 1e-16;  // of a column's length: rounding of the triangle itself
 
 /// Triangle with the same products of columns. Columns are scaled to length one and pivoted, so the
 /// rows that rounding alone has left are the last ones; there are at most `most` others.
@@ -46,6 +49,7 @@ class Horizon {
         closed_(problem.K.size() > 0 ? MatrixXd(problem.A + problem.B * problem.K) : problem.A),
         power_(closed_),
         rows_(first()) {
+    requireModestGrowth();
     for (int a = 0; a < p_; ++a) drive_.push_back(driveOfOne(a));
   }
 
@@ -141,13 +145,34 @@ class Horizon {
     if (rows_.rows() > 2 * rank() + 8) rows_ = compressed(rows_, rank());
   }
 
+  /// Spectral radius to the power T, from two powers of the matrix: chains of integrators, which
+  /// grow with powers of T, add a factor of 4 each.
+  void requireModestGrowth() const {
+    const int T = problem_.lines.num_samples;
+    MatrixXd half = MatrixXd::Identity(nx_, nx_), square = closed_;
+    for (int left = T / 2; left > 0 && half.allFinite(); left /= 2) {
+      if (left % 2 == 1) half = (half * square).eval();
+      square = (square * square).eval();
+    }
+    const double before = half.norm();
+    if (before == 0.0) return;  // nothing lasts so long
+    const double ratio = (half * half).norm() / before;
+    if (ratio * ratio < kMostGrowth) return;
+    throw ResponseOverflow(
+        fmt::format("{} is unstable: what it feeds back grows more than {:g}-fold within T = {}, "
+                    "too much for any design to be trusted. {}",
+                    name(), kMostGrowth, T, remedy()));
+  }
+
   void require() const {
     if (rows_.allFinite() && rows_.cwiseAbs().maxCoeff() < kLargest) return;
     throw ResponseOverflow(
         fmt::format("the predicted response overflows: {} grows beyond {:g} within T = {}. {}",
-                    name(), kLargest, problem_.lines.num_samples,
-                    problem_.K.size() > 0 ? "Choose a K that stabilises, or shorten T"
-                                          : "Stabilise with K (u = K x + signal), or shorten T"));
+                    name(), kLargest, problem_.lines.num_samples, remedy()));
+  }
+  const char* remedy() const {
+    return problem_.K.size() > 0 ? "Choose a K that stabilises, or shorten T"
+                                 : "Stabilise with K (u = K x + signal), or shorten T";
   }
   const char* name() const { return problem_.K.size() > 0 ? "A + B K" : "A"; }
 
