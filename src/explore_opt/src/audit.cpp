@@ -286,11 +286,15 @@ bool close(Real a, Real b, Real tolerance) {
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
+/// What is only said twice must agree to what the bound itself is judged to. Products of roots in
+/// doubles are off by 1e-13 at most.
+constexpr Real kSaidTwice = 1e-6L;
+
 /// The same up to a positive factor: bounds do not depend on it.
 bool sameUpToScale(const Matrix& a, const Matrix& b) {
   const Real na = a.norm(), nb = b.norm();
   if (na == 0.0L || nb == 0.0L) return na == nb;
-  return (a / na - b / nb).norm() <= 1e-6L;
+  return (a / na - b / nb).norm() <= kSaidTwice;
 }
 
 /// What is said beside the amplitudes and the bound: nothing of it is used, but a reader may.
@@ -300,10 +304,10 @@ void checkTheRest(const ExplorationProblem& problem, const DesignClaims& claims,
     report.checks.push_back({name, passed, finding});
   };
   add("experiments", runs == problem.experiments,
-      fmt::format("the design has amplitudes for {}; the problem asks for {}", runs,
+      fmt::format("the design has amplitudes for {} of them; the problem asks for {}", runs,
                   problem.experiments));
   if (claims.lambda_min) {
-    add("lambda_min", close(report.lambda_min, *claims.lambda_min, 1e-6L),
+    add("lambda_min", close(report.lambda_min, *claims.lambda_min, kSaidTwice),
         fmt::format("{:.12g} of gamma_w D_des from the amplitudes; claimed {:.12g}",
                     report.lambda_min, *claims.lambda_min));
   }
@@ -311,7 +315,8 @@ void checkTheRest(const ExplorationProblem& problem, const DesignClaims& claims,
     const bool answered = claims.status == "solved" || claims.status == "reduced_accuracy" ||
                           claims.status == "iteration_limit";
     add("status", answered,
-        fmt::format("there are amplitudes; the status claimed is '{}'", claims.status));
+        fmt::format("'{}'; solved, reduced_accuracy or iteration_limit come with amplitudes",
+                    claims.status));
   }
   if (claims.multiplier_root.size() == 0) return;
   const Matrix M = Y * Y.transpose(), D = meaning(problem);

@@ -51,8 +51,8 @@ DesignClaims claimsFromJson(const std::string& text, const std::string& source,
     claims.lambda_min = number(object, "lambda_min", source);
   if (object.contains("status")) {
     if (!object.at("status").is_string())
-      throw ConfigError(
-          fmt::format("{}: status = {}; must be a word", source, object.at("status").dump()));
+      throw ConfigError(fmt::format("{}: status = {}; must be a text, as design writes it", source,
+                                    object.at("status").dump()));
     claims.status = object.at("status").get<std::string>();
   }
   const char* key = object.contains("experiments") ? "experiments" : "amplitudes";

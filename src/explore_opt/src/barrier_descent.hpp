@@ -8,7 +8,7 @@ namespace explore_opt {
 
 struct BarrierPoint {
   Eigen::VectorXd a;   ///< strictly feasible; empty if the start is not
-  Eigen::MatrixXd Z;   ///< μ S(a)⁻¹, S(a) = N(a) - R
+  Eigen::MatrixXd Z;   ///< μ S⁻¹, S = N(a) - R, of a centre at up to 25 times `gap`
   Eigen::VectorXd nu;  ///< one a peak limit
 };
 

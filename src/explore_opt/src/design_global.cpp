@@ -35,20 +35,19 @@ void searchOn(Search& search, const DesignTask& task, const Relaxed* relaxed,
       continue;
     }
     const VectorXd seen = glimpse(task, start);
-    if (seen.size() == 0 || seen.norm() > (1.0 + 2e-4) * search.best().norm()) continue;
-    if (seen.norm() < (1.0 - 2e-4) * search.best().norm() || !same(seen, search.best()))
+    if (seen.size() == 0 || seen.norm() > (1.0 + kGlimpsed) * search.best().norm()) continue;
+    if (seen.norm() < (1.0 - kGlimpsed) * search.best().norm() || !same(seen, search.best()))
       search.add(polish(task, solver, seen, 1e-2, nullptr));
   }
 }
 
-/// Several experiments, which are not solved together with u_max.
+/// To fly several experiments, where that may close the gap; they are not solved with u_max.
 std::string advice(const ExplorationProblem& problem, const RawDesign& design) {
   if (design.rank <= problem.experiments || problem.u_max.size() > 0) return "";
   return fmt::format(
-      "; the relaxation has rank {}, so one experiment may not reach the bound: \"experiments\": "
-      "{} "
-      "meets it as root mean square per run",
-      design.rank, design.rank);
+      "; the relaxation has rank {0}, so one experiment may not reach the bound: \"experiments\": "
+      "{0} meets it as root mean square per run",
+      design.rank);
 }
 
 /// Without peak limits.

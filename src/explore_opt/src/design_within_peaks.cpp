@@ -15,10 +15,9 @@ using Eigen::VectorXd;
 
 constexpr int kPeakRounds = 40;
 constexpr std::size_t kPeaksARound = 40;
-constexpr double kPeakMargin = 0.02;      // below the limit, from which on an instant is considered
-constexpr double kWorthPolishing = 2e-4;  // above the best so far, of twice glimpse()'s accuracy
-constexpr double kOutside = 1.001;        // times a boundary point: strictly feasible
-constexpr double kPeakReserve = 1e-7;     // kept while solving, so that rounding respects the limit
+constexpr double kPeakMargin = 0.02;   // below the limit, from which on an instant is considered
+constexpr double kOutside = 1.001;     // times a boundary point: strictly feasible
+constexpr double kPeakReserve = 1e-7;  // kept while solving, so that rounding respects the limit
 
 /// The task with the instants met so far, as they are for certificates and with the reserve for
 /// solvers, and local searches that respect all instants.
@@ -41,7 +40,7 @@ class PeakSearch {
     const VectorXd inside = enter(start);
     VectorXd a = inside.size() > 0 ? descendFrom(inside) : inside;
     if (a.size() == 0) return search_.miss();
-    if (search_.found() && a.norm() > (1.0 + kWorthPolishing) * search_.best().norm()) return;
+    if (search_.found() && a.norm() > (1.0 + kGlimpsed) * search_.best().norm()) return;
     for (int round = 0; round < kPeakRounds; ++round) {
       const LocalSolution solution = polish(reserved_, solver_, a, 1e-6, nullptr);
       if (solution.amplitudes.size() == 0) return search_.miss();
@@ -86,10 +85,14 @@ class PeakSearch {
     design_.peaks = task_.peaks;
     if (search_.found()) return conclude(search_, options_, "", design_);
     design_.status = DesignStatus::kNumericalError;
+    const std::string least =
+        std::isfinite(least_peak_)
+            ? fmt::format(", the least peak of those found is {:.6g} u_max", least_peak_)
+            : "";
     design_.message = fmt::format(
-        "no amplitudes within u_max found in {} starts, the least peak of those found is {:.6g} "
-        "u_max; not proven that there are none (gamma_e >= {:.6g} is). Raise u_max or add lines",
-        search_.starts(), least_peak_, design_.certificate.bound);
+        "no amplitudes within u_max found in {} starts{}; not proven that there are none (gamma_e "
+        ">= {:.6g} is). Raise u_max or add lines",
+        search_.starts(), least, design_.certificate.bound);
   }
 
  private:

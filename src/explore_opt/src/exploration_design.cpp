@@ -28,6 +28,8 @@ void validate(const DesignOptions& options) {
   requireFinite(options.initial_amplitudes, "initial amplitudes");
 }
 
+constexpr double kBelowBound = 1e-9;  // relative, for rounding; audit() grants as much
+
 /// Combinations a method does not solve are the caller's mistake.
 void validateFor(const ExplorationProblem& problem, const DesignOptions& options) {
   if (options.method == DesignMethod::kMm) {
@@ -83,8 +85,16 @@ void fill(const ExplorationProblem& problem, const DesignTask& single, const Raw
     if (result.peak > 1.0 + 1e-9)
       return refuse(result, fmt::format("the amplitudes found reach {} of u_max", result.peak));
   }
+  const double cost = task.costAt(raw.amplitudes);
+  if (cost < result.lower_bound * (1.0 - kBelowBound)) {
+    return refuse(result,
+                  fmt::format("the amplitudes found cost {:.9g}, less than the bound {:.9g} "
+                              "proves possible: rounding has spoilt one of them. Shorten T, "
+                              "or stabilise with K where A is unstable",
+                              cost, result.lower_bound));
+  }
   result.amplitudes = amplitudes;
-  result.gamma_e = task.costAt(raw.amplitudes);
+  result.gamma_e = cost;
   result.gap = result.gamma_e > 0.0 ? (result.gamma_e - result.lower_bound) / result.gamma_e : 0.0;
   result.lambda_min = lambda_min;
 }

@@ -49,8 +49,6 @@ Relaxed relax(const DesignTask& task, const VectorXd& start, double stop_above) 
   return relaxed;
 }
 
-/// A random vector with the mean and the second moments of the relaxation; several runs one below
-/// the other.
 VectorXd drawn(const DesignTask& task, const Relaxed& relaxed, std::uint64_t seed,
                std::uint64_t index) {
   const VectorXd roots = relaxed.lifted.values.cwiseMax(0.0).cwiseSqrt();
@@ -64,12 +62,10 @@ VectorXd drawn(const DesignTask& task, const Relaxed& relaxed, std::uint64_t see
   return direction;
 }
 
-/// The cheapest of: `fallback`, the leading part of 𝒜, and random vectors with moments 𝒜.
 VectorXd roundLifted(const DesignTask& task, const Relaxed& relaxed, const VectorXd& fallback,
                      std::uint64_t seed) {
   VectorXd best = fallback;
-  double least =
-      fallback.size() > 0 ? task.cost(fallback) : std::numeric_limits<double>::infinity();
+  double least = fallback.size() > 0 ? task.cost(fallback) : kInfinity;
   for (int i = 0; i <= kRoundings; ++i) {
     const VectorXd direction =
         i == 0 ? leading(task, relaxed)

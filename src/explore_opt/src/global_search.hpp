@@ -14,6 +14,7 @@ namespace explore_opt {
 
 constexpr double kLiftedTolerance = 1e-10;  // of Ipopt, in scaled coordinates
 constexpr int kLiftedIterations = 150;
+constexpr double kGlimpsed = 2e-4;  // of the cost: twice what glimpse() is accurate to
 
 /// The relaxation's answer in the task's coordinates.
 struct Relaxed {

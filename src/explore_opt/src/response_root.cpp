@@ -15,8 +15,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kLargest = 1e100;  // its fourth power overflows
-/// Of the unstable modes within T. Amplitudes that cancel them are found where doubles have digits
-/// left for what remains; beyond this the answer would live in their rounding.
+/// Of unstable modes within T. Optimal amplitudes cancel them and live on what remains: 1e-16 of
+/// the growth is rounding, and three digits are needed (test_growth).
 constexpr double kMostGrowth = 1e13;
 constexpr double kNoise = 1e-16;  // of a column's length: rounding of the triangle itself
 
@@ -159,7 +159,7 @@ class Horizon {
     const double ratio = (half * half).norm() / before;
     if (ratio * ratio < kMostGrowth) return;
     throw ResponseOverflow(
-        fmt::format("{} is unstable: what it feeds back grows more than {:g}-fold within T = {}, "
+        fmt::format("{} is unstable: its modes grow more than {:g}-fold within T = {}, "
                     "too much for any design to be trusted. {}",
                     name(), kMostGrowth, T, remedy()));
   }

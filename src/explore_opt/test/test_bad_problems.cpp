@@ -98,7 +98,7 @@ const std::vector<BadProblem>& badProblems() {
       {"no input acts", R"({"B": [[0], [0]]})", 3, "(A, B) is not controllable"},
       {"u_max too small", R"({"u_max": 1})", 3, "u_max is too small"},
       {"growth that leaves no digits", R"({"A": [[1.1, 0.1635], [0, 1]]})", 3,
-       "A is unstable: what it feeds back grows more than 1e+13-fold within T = 370"},
+       "A is unstable: its modes grow more than 1e+13-fold within T = 370"},
       {"overflow", R"({"A": [[8, 0.1635], [0, 3]]})", 3, "Stabilise with K"},
       {"overflow with K", R"({"A": [[8, 0.1635], [0, 3]], "K": [[0, 0]]})", 3,
        "Choose a K that stabilises"},

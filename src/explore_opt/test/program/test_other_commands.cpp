@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "program_fixture.hpp"
+#include "quad_support/command_line.hpp"
 
 using namespace explore_opt::testing;
 
@@ -131,6 +132,14 @@ TEST_F(Program, FrequenciesWriteAProblemReadyForDesign) {
   system["A"] = {{1.2, 0}, {0, 0.5}};
   EXPECT_EQ(run("frequencies " + write("unstable.json", system.dump())), 3);
   EXPECT_NE(stderr_.find("Add a stabilising K"), std::string::npos) << stderr_;
+}
+
+TEST_F(Program, SaysItsVersionAndItsCommands) {
+  ASSERT_EQ(run("--version"), 0);
+  EXPECT_EQ(stdout_, std::string(quad_support::kVersion) + "\n");
+  EXPECT_EQ(run("desing p.json"), 2);
+  EXPECT_NE(stderr_.find("desing: no such command, did you mean design?"), std::string::npos)
+      << stderr_;
 }
 
 TEST_F(Program, HelpHasExamplesThatRun) {

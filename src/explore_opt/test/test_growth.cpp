@@ -1,0 +1,101 @@
+/// Unstable systems whose responses grow until doubles lose the digits that matter: an answer is
+/// right, or there is none and the message says what grows and what to do.
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "explore_opt/audit.hpp"
+#include "explore_opt/design_json.hpp"
+#include "explore_opt/exploration_design.hpp"
+
+using namespace explore_opt;
+using Eigen::MatrixXd;
+
+namespace {
+
+/// T is such that ρ^T is 10^decades, ρ the spectral radius of A.
+ExplorationProblem growing(const MatrixXd& A, const MatrixXd& B, double decades) {
+  ExplorationProblem problem;
+  problem.A = A;
+  problem.B = B;
+  const double radius = A.eigenvalues().cwiseAbs().maxCoeff();
+  problem.lines = {static_cast<int>(decades / std::log10(radius)) + 1, {3, 7, 12}, {}};
+  problem.phase = Phase::kCos;
+  problem.gamma_w = 1.0;
+  problem.D_des = MatrixXd::Identity(1, 1);
+  return problem;
+}
+
+/// One unstable mode, one beside a stable one, a pair of different ones, a spiral.
+std::vector<ExplorationProblem> family(double decades) {
+  MatrixXd beside(2, 2), pair(2, 2), spiral(2, 2);
+  beside << 1.1, 0.2, 0.0, 0.8;
+  pair << 1.15, 0.1, 0.1, 1.1;
+  spiral << 1.0, 0.4, -0.4, 1.0;
+  const Eigen::Vector2d B(0.3, 1.0);
+  return {growing(MatrixXd::Constant(1, 1, 1.2), MatrixXd::Ones(1, 1), decades),
+          growing(beside, B, decades), growing(pair, B, decades), growing(spiral, B, decades)};
+}
+
+/// @returns whether there is an answer
+bool isRightOrRefused(const ExplorationProblem& problem, DesignMethod method) {
+  DesignOptions options;
+  options.method = method;
+  options.random_starts = 1;
+  options.max_iterations = 20;
+  const DesignResult result = designExploration(problem, options);
+  if (!result.feasible()) {
+    EXPECT_FALSE(result.message.empty());
+    return false;
+  }
+  const AuditReport report =
+      audit(problem, claimsFromJson(designToJson(problem, result).dump(), "design.json", problem));
+  for (const AuditCheck& check : report.checks) EXPECT_TRUE(check.passed) << check.finding;
+  return true;
+}
+
+}  // namespace
+
+TEST(Growth, AnAnswerIsRightOrThereIsNone) {
+  for (const double decades : {6.0, 9.0, 11.0, 12.5}) {
+    int answered = 0;
+    for (const ExplorationProblem& problem : family(decades)) {
+      for (const DesignMethod method : {DesignMethod::kGlobal, DesignMethod::kMm}) {
+        SCOPED_TRACE(fmt::format("1e{}, A(0, 0) = {}, T = {}, {}", decades, problem.A(0, 0),
+                                 problem.lines.num_samples, toString(method)));
+        answered += isRightOrRefused(problem, method) ? 1 : 0;
+      }
+    }
+    EXPECT_GE(answered, 4) << "1e" << decades;  // the refusal is not the rule yet
+  }
+}
+
+TEST(Growth, TooMuchOfItIsRefused) {
+  for (const double decades : {14.0, 16.0, 20.0, 60.0, 99.0, 300.0}) {
+    for (ExplorationProblem problem : family(decades)) {
+      SCOPED_TRACE(fmt::format("1e{}, A(0, 0) = {}", decades, problem.A(0, 0)));
+      const DesignResult result = designExploration(problem);
+      EXPECT_EQ(result.status, DesignStatus::kNumericalError);
+      EXPECT_FALSE(result.feasible());
+      EXPECT_NE(result.message.find("Stabilise with K"), std::string::npos) << result.message;
+      problem.K = MatrixXd::Zero(1, problem.A.rows());
+      EXPECT_NE(designExploration(problem).message.find("Choose a K that stabilises"),
+                std::string::npos);
+    }
+  }
+}
+
+TEST(Growth, OfIntegratorsIsNoInstability) {
+  ExplorationProblem problem;
+  problem.A = (MatrixXd(3, 3) << 1, 1, 0, 0, 1, 1, 0, 0, 1).finished();
+  problem.B = Eigen::Vector3d(0, 0, 1);
+  problem.lines = {100000, {300, 700, 1200}, {}};
+  problem.phase = Phase::kSin;
+  problem.gamma_w = 1.0;
+  problem.D_des = MatrixXd::Identity(1, 1);
+  EXPECT_EQ(designExploration(problem).message.find("unstable"), std::string::npos);
+}
