@@ -4,7 +4,7 @@
 Does what the environment variable FAKE_<role> says (role: the node's name without namespace, or `check`):
   sleep (default)        stays until it is told to end
   exit:<code>            ends at once
-  stubborn               ignores SIGINT and SIGTERM
+  deaf                   ignores SIGINT and SIGTERM
   orphan                 leaves a child in a session of its own that ignores signals, then stays
   answer:<code>[:<text>] writes results and the status file, then ends
   partial                begins to write results and stays
@@ -59,7 +59,7 @@ def main():
     name = next(a.split(":=")[1] for a in sys.argv if a.startswith("__name:="))
     task, _, rest = os.environ.get("FAKE_" + name, "sleep").partition(":")
     note(name)
-    if task in ("stubborn", "orphan"):
+    if task in ("deaf", "orphan"):
         if task == "orphan" and os.fork() == 0:
             os.setsid()
             if os.fork():

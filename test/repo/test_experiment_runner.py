@@ -142,7 +142,7 @@ class Runner(unittest.TestCase):
         self.assert_logs_kept(stderr)
 
     def test_an_orphan_in_its_own_session_is_killed_too(self):
-        code, _, stderr = self.run_it(gazebo="orphan", time_manager="stubborn", experiment="exit:1")
+        code, _, stderr = self.run_it(gazebo="orphan", time_manager="deaf", experiment="exit:1")
         self.assertEqual(code, 5, stderr)
         self.wait_for("orphan")   # it had really been there
 
@@ -197,7 +197,7 @@ class Runner(unittest.TestCase):
     # --- the environment fails
 
     def test_timeout(self):
-        code, _, stderr = self.run_it("--timeout", "3", gazebo="stubborn", experiment="partial")
+        code, _, stderr = self.run_it("--timeout", "3", gazebo="deaf", experiment="partial")
         self.assertEqual(code, 5)
         self.assertIn("not finished after 3 s", stderr)
         self.assertEqual(os.listdir(self.path("results")), [], "half-written results are left")
@@ -206,7 +206,7 @@ class Runner(unittest.TestCase):
         for name in ("gazebo", "attitude_altitude_controller", "time_manager", "experiment"):
             with self.subTest(name):
                 self.setUp()
-                process = self.start(experiment="partial", gazebo="stubborn", time_manager="stubborn")
+                process = self.start(experiment="partial", gazebo="deaf", time_manager="deaf")
                 self.wait_for("writing", "gazebo", "time_manager", "attitude_altitude_controller")
                 begin = time.monotonic()
                 os.kill(self.wait_for(name), signal.SIGKILL)
@@ -267,7 +267,7 @@ class Runner(unittest.TestCase):
         self.assertIn("roslaunch refused to start", stderr)
 
     def test_killed_runner_takes_its_nodes_along(self):
-        process = self.start(gazebo="stubborn")
+        process = self.start(gazebo="deaf")
         self.wait_for("gazebo", "time_manager", "experiment")
         process.kill()
         process.communicate()
@@ -301,7 +301,7 @@ class Runner(unittest.TestCase):
         for number, expected in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
             with self.subTest(number.name):
                 self.setUp()
-                process = self.start(experiment="partial", gazebo="stubborn")
+                process = self.start(experiment="partial", gazebo="deaf")
                 self.wait_for("writing", "gazebo")
                 process.send_signal(number)
                 code, stdout, stderr = self.finish(process)

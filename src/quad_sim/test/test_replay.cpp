@@ -9,6 +9,7 @@
 
 #include "hummingbird.hpp"
 #include "quad_sim/replay.hpp"
+#include "quad_support/command_line.hpp"
 #include "quad_support/errors.hpp"
 
 namespace quad_sim {
@@ -168,6 +169,11 @@ TEST_F(Program, AnUnwritablePlaceIsExitFive) {
   EXPECT_EQ(call("simulate --urdf " + hummingbirdPath() + " --commands " + path("c.csv") +
                  " --duration 0.1 --out " + path("no/such/o.csv")),
             5);
+}
+
+TEST_F(Program, SaysItsVersion) {
+  EXPECT_EQ(call("--version"), 0);
+  EXPECT_EQ(quad_support::readFile(path("stdout")), std::string(quad_support::kVersion) + "\n");
 }
 
 TEST_F(Program, HelpShowsAnExample) {
