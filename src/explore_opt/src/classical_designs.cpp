@@ -1,6 +1,5 @@
 #include "explore_opt/classical_designs.hpp"
 
-#include <Eigen/QR>
 #include <functional>
 #include <limits>
 
@@ -8,6 +7,7 @@
 #include "constants.hpp"
 #include "design_tools.hpp"
 #include "explore_opt/exploration_design.hpp"
+#include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
 namespace {
@@ -28,8 +28,7 @@ struct Value {
 Value evaluate(const PredictedResponse& response, ClassicalCriterion criterion, const VectorXd& a) {
   const MatrixXd F = response.factor(a);
   const auto n = F.cols();
-  const Eigen::HouseholderQR<MatrixXd> qr(F);
-  const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  const MatrixXd R = quad_support::triangularFactor(F);
   const VectorXd diagonal = R.diagonal().cwiseAbs();
   if (!(diagonal.minCoeff() > 0.0) || !diagonal.allFinite()) return {};
   const MatrixXd inverse_root =

@@ -1,4 +1,3 @@
-#include <Eigen/QR>
 #include <cmath>
 
 #include "checks.hpp"
@@ -24,8 +23,7 @@ AmplitudeMap inputEnergyMap(const ExplorationProblem& problem, const ResponseRoo
     inputs.col(static_cast<Index>(a)).head(rows * nu) = u.reshaped();
   }
   inputs *= std::sqrt(2.0 / problem.lines.num_samples);
-  const MatrixXd R =
-      Eigen::HouseholderQR<MatrixXd>(inputs).matrixQR().triangularView<Eigen::Upper>();
+  const MatrixXd R = quad_support::triangularFactor(inputs);
   const MatrixXd energy = R.topLeftCorner(p, p);
   const VectorXd sigma = quad_support::singularValues(energy);
   require(sigma(p - 1) > 1e-7 * sigma(0),
@@ -69,10 +67,7 @@ int rankOfAllResponses(const DesignTask& task) {
     all.middleRows(a * rows, rows) = task.response.factors[static_cast<std::size_t>(a)];
   const VectorXd lengths = all.colwise().norm().cwiseMax(1e-300);
   const VectorXd sigma = quad_support::singularValues(
-      Eigen::HouseholderQR<MatrixXd>(all * lengths.cwiseInverse().asDiagonal())
-          .matrixQR()
-          .topRows(std::min(n, all.rows()))
-          .triangularView<Eigen::Upper>());
+      quad_support::triangularFactor(all * lengths.cwiseInverse().asDiagonal()));
   int rank = 0;
   while (rank < sigma.size() && sigma(rank) > 1e-7 * sigma(0)) ++rank;
   return rank;

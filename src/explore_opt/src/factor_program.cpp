@@ -1,6 +1,5 @@
 #include "factor_program.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -138,7 +137,7 @@ VectorXd FactorProgram::startAt(const VectorXd& a) const {
   const quad_support::SymmetricEigen eigen(program_.N(a) - program_.rightSide());
   const VectorXd roots = eigen.values.cwiseMax(0.0).cwiseSqrt();
   const MatrixXd root = roots.asDiagonal() * eigen.vectors.transpose();
-  const MatrixXd U = Eigen::HouseholderQR<MatrixXd>(root).matrixQR().triangularView<Eigen::Upper>();
+  const MatrixXd U = quad_support::triangularFactor(root);
   VectorXd x(numVariables());
   x.head(p_) = a;
   for (int i = 0; i < n_; ++i) {

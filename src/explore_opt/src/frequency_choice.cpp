@@ -1,8 +1,6 @@
 #include "explore_opt/frequency_choice.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -15,7 +13,6 @@
 namespace explore_opt {
 namespace {
 
-using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -40,18 +37,24 @@ std::vector<int> candidates(int T, const FrequencyOptions& options) {
   return grid;
 }
 
-/// Regressors per unit of each input at one frequency, n_φ x n_u; empty at a pole.
-MatrixXcd response(const ExplorationProblem& problem, double frequency) {
+/// Regressors per unit of each input at one frequency, real part [n_φ x n_u] beside the imaginary
+/// one; empty at a pole.
+MatrixXd response(const ExplorationProblem& problem, double frequency) {
   const Index nx = problem.numStates(), nu = problem.numInputs();
-  const std::complex<double> z = std::polar(1.0, kTwoPi * frequency);
-  const MatrixXcd resolvent =
-      z * MatrixXcd::Identity(nx, nx) - closedLoop(problem).cast<std::complex<double>>();
-  MatrixXcd V(nx + nu, nu);
-  V.topRows(nx) = resolvent.partialPivLu().solve(problem.B.cast<std::complex<double>>());
-  V.bottomRows(nu).setIdentity();
-  if (problem.K.size() > 0)
-    V.bottomRows(nu) += problem.K.cast<std::complex<double>>() * V.topRows(nx);
-  return V.allFinite() && V.norm() < 1e12 ? V : MatrixXcd();
+  const double angle = kTwoPi * frequency;
+  const MatrixXd A = closedLoop(problem), eye = MatrixXd::Identity(nx, nx);
+  // (z I − A)(X + iY) = B, its real and its imaginary part.
+  MatrixXd resolvent(2 * nx, 2 * nx), rhs = MatrixXd::Zero(2 * nx, nu);
+  resolvent << std::cos(angle) * eye - A, -std::sin(angle) * eye, std::sin(angle) * eye,
+      std::cos(angle) * eye - A;
+  rhs.topRows(nx) = problem.B;
+  const MatrixXd state = resolvent.partialPivLu().solve(rhs);
+  MatrixXd V = MatrixXd::Zero(nx + nu, 2 * nu);
+  V.topLeftCorner(nx, nu) = state.topRows(nx);
+  V.topRightCorner(nx, nu) = state.bottomRows(nx);
+  V.bottomLeftCorner(nu, nu).setIdentity();
+  if (problem.K.size() > 0) V.bottomRows(nu) += problem.K * V.topRows(nx);
+  return V.allFinite() && V.norm() < 1e12 ? V : MatrixXd();
 }
 
 /// A root W of the closeness of the regressors: D of D ⊗ I; of a full D_des the sum over the rows
@@ -85,8 +88,7 @@ Axes axesOf(const std::vector<MatrixXd>& roots, const VectorXd& p) {
   for (Index h = 0; h < p.size(); ++h)
     stacked.middleRows(h * rows, rows) = std::sqrt(p(h)) * roots[static_cast<std::size_t>(h)];
   if (stacked.rows() < n) return {VectorXd::Zero(n), MatrixXd::Identity(n, n)};
-  const Eigen::HouseholderQR<MatrixXd> qr(stacked);
-  const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  const MatrixXd R = quad_support::triangularFactor(stacked);
   return {quad_support::singularValues(R), quad_support::leftSingularVectors(R.transpose())};
 }
 
@@ -153,7 +155,7 @@ FrequencyChoice chooseFrequencies(const ExplorationProblem& problem,
       options.band_low >= 0.0 && options.band_low < options.band_high && options.band_high <= 0.5,
       "band = {} to {}; must be 0 <= low < high <= 1/2 cycles per sample", options.band_low,
       options.band_high);
-  const double radius = MatrixXd(closedLoop(problem)).eigenvalues().cwiseAbs().maxCoeff();
+  const double radius = quad_support::spectralRadius(closedLoop(problem));
   if (radius > 1.0 + 1e-6) {  // the error of a double eigenvalue of 1 is 1e-8
     throw quad_support::NegativeAnswer(
         fmt::format("the system is unstable (spectral radius {:.6g}): there is no steady state to "
@@ -163,15 +165,14 @@ FrequencyChoice chooseFrequencies(const ExplorationProblem& problem,
   const MatrixXd weights = regressorWeights(problem);
   FrequencyChoice choice;
   std::vector<MatrixXd> roots;
-  std::vector<MatrixXcd> responses;
+  std::vector<MatrixXd> responses;
   for (const int h : candidates(T, options)) {
-    const MatrixXcd V = response(problem, static_cast<double>(h) / T);
+    const MatrixXd V = response(problem, static_cast<double>(h) / T);
     if (V.size() == 0) continue;
     choice.grid.push_back(h);
     responses.push_back(V);
-    MatrixXd root(2 * nu, weights.rows());  // Re(V Vᴴ) = Re V Re Vᵀ + Im V Im Vᵀ
-    root << V.real().transpose() * weights, V.imag().transpose() * weights;
-    roots.push_back(std::sqrt(0.5 * T) * root);
+    // Re(V Vᴴ) = Re V Re Vᵀ + Im V Im Vᵀ
+    roots.push_back(std::sqrt(0.5 * T) * V.transpose() * weights);
   }
   require(!choice.grid.empty(), "every harmonic of the band is a pole of the system");
   choice.power = bestSpectrum(roots);
@@ -180,8 +181,9 @@ FrequencyChoice chooseFrequencies(const ExplorationProblem& problem,
   for (std::size_t h = 0; h < responses.size(); ++h) {
     for (int i = 0; i < problem.numStates(); ++i) {
       for (int j = 0; j < nu; ++j) {
-        choice.gain(static_cast<Index>(h), i * nu + j) = std::abs(responses[h](i, j));
-        choice.phase(static_cast<Index>(h), i * nu + j) = std::arg(responses[h](i, j));
+        const std::complex<double> gain(responses[h](i, j), responses[h](i, nu + j));
+        choice.gain(static_cast<Index>(h), i * nu + j) = std::abs(gain);
+        choice.phase(static_cast<Index>(h), i * nu + j) = std::arg(gain);
       }
     }
   }

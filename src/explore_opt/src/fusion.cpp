@@ -1,6 +1,5 @@
 #include "explore_opt/fusion.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -95,12 +94,12 @@ FeasibleSet fusedWith(const std::vector<FeasibleSet>& sets, const std::vector<do
     fused.G += weights[j] * sets[j].G;
     fused.gamma_w += weights[j] * sets[j].gamma_w;
   }
-  const Eigen::HouseholderQR<MatrixXd> qr(stacked.leftCols(n));
-  fused.root = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  const MatrixXd rotated = qr.householderQ().transpose() * stacked.rightCols(nx);
+  const MatrixXd R = quad_support::triangularFactor(stacked);
+  fused.root = R.topLeftCorner(n, n);
+  const MatrixXd rotated = R.rightCols(nx);
   fused.center =
       centre + fused.root.triangularView<Eigen::Upper>().solve(rotated.topRows(n)).transpose();
-  fused.G -= rotated.bottomRows(rotated.rows() - n).squaredNorm();
+  fused.G -= rotated.bottomRows(R.rows() - n).squaredNorm();
   const double sigma = quad_support::singularValues(fused.root).tail(1)(0);
   fused.lambda_min_S = sigma * sigma;
   return fused;

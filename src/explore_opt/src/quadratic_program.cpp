@@ -1,7 +1,6 @@
 #include "quadratic_program.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include "quad_support/linear_algebra.hpp"
 
@@ -23,9 +22,9 @@ void addTranspose(Eigen::Ref<MatrixXd> m) {
 /// then the singular values are as accurate as the data.
 MatrixXd whitening(const MatrixXd& F) {
   const VectorXd lengths = F.colwise().norm().cwiseInverse();
-  const Eigen::JacobiSVD<MatrixXd> svd(F * lengths.asDiagonal(), Eigen::ComputeThinV);
+  const quad_support::RightSingular svd(F * lengths.asDiagonal());
   const MatrixXd white =
-      lengths.asDiagonal() * svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal();
+      lengths.asDiagonal() * svd.vectors * svd.values.cwiseInverse().asDiagonal();
   return white * quad_support::SymmetricEigen(white.transpose() * white).vectors;
 }
 

@@ -1,6 +1,5 @@
 #include "explore_opt/signal_response.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 
@@ -30,8 +29,7 @@ MatrixXd regressor(const ExplorationProblem& problem, const MatrixXd& signal) {
 /// Triangle R with RᵀR = M Mᵀ of a wide matrix.
 MatrixXd rootOf(const MatrixXd& wide) {
   if (wide.cols() < wide.rows()) return MatrixXd::Zero(wide.rows(), wide.rows());
-  const Eigen::HouseholderQR<MatrixXd> qr(wide.transpose());
-  return qr.matrixQR().topRows(wide.rows()).triangularView<Eigen::Upper>();
+  return quad_support::triangularFactor(wide.transpose());
 }
 
 /// The same on the unknown entries alone: Eᵀ(RᵀR ⊗ I)E ⪰ G Eᵀ D_des E.

@@ -1,6 +1,5 @@
 #include "explore_opt/structured_least_squares.hpp"
 
-#include <Eigen/QR>
 #include <Eigen/SPQRSupport>
 #include <Eigen/SparseCore>
 #include <algorithm>
@@ -94,7 +93,7 @@ VectorXd singularValuesOf(const MatrixXd& root, const std::vector<std::vector<In
 MatrixXd rootOf(const Eigen::SPQR<Sparse>& qr, Index n) {
   const MatrixXd permuted = MatrixXd(qr.matrixR()).topRows(n).triangularView<Eigen::Upper>();
   const MatrixXd root = permuted * qr.colsPermutation().inverse();
-  return Eigen::HouseholderQR<MatrixXd>(root).matrixQR().triangularView<Eigen::Upper>();
+  return quad_support::triangularFactor(root);
 }
 
 /// Corrects the entries of one row of Θ and puts them there. @returns the row's residual energy
@@ -110,8 +109,7 @@ double refineRow(const VectorXd& target, const MatrixXd& phi, const std::vector<
     A.col(j) = phi.row(fit.free[static_cast<std::size_t>(e)].column).transpose() / scales(e);
     start(j) = solution(e);
   }
-  const Eigen::HouseholderQR<MatrixXd> qr(pick(scaled_root, group));
-  const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  const MatrixXd R = quad_support::triangularFactor(pick(scaled_root, group));
   const RefinedSolution refined = refine(A, target, R, start);
   for (Index j = 0; j < n; ++j) {
     const Index e = group[static_cast<std::size_t>(j)];

@@ -13,6 +13,7 @@
 
 #include "explore_opt/exploration_design.hpp"
 #include "local_search.hpp"
+#include "quad_support/linear_algebra.hpp"
 #include "quad_support/random_stream.hpp"
 #include "raw_audit.hpp"
 #include "thesis_problem.hpp"
@@ -23,6 +24,7 @@ using Eigen::VectorXd;
 using explore_opt::testing::randomMatrix;
 using explore_opt::testing::rawBound;
 using explore_opt::testing::rawLambdaMin;
+using quad_support::spectralRadius;
 
 namespace {
 
@@ -47,8 +49,6 @@ class Dice {
   quad_support::RandomStream random_;
   std::uint64_t next_ = 0;
 };
-
-double spectralRadius(const MatrixXd& A) { return A.eigenvalues().cwiseAbs().maxCoeff(); }
 
 /// A stable matrix beside, for odd sizes, an integrator, else a rotation or a double integrator.
 MatrixXd marginal(const MatrixXd& stable, Dice& dice) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "quad_control/mixer.hpp"
-#include "quad_control/sampled_loop.hpp"
+#include "sampled_loop.hpp"
 
 namespace quad_control::test {
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "quad_control/flight_controller.hpp"
-#include "quad_control/sampled_loop.hpp"
 #include "quad_sim/simulation_config.hpp"
 #include "quad_sim/simulator.hpp"
+#include "sampled_loop.hpp"
 
 namespace quad_control {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "hummingbird.hpp"
 #include "quad_control/control_config.hpp"
-#include "quad_control/sampled_loop.hpp"
+#include "sampled_loop.hpp"
 
 namespace quad_control {
 namespace {

@@ -1,5 +1,5 @@
-/// Eigenvalues and singular values of matrices of any size, compiled once: the templates behind
-/// them take longer to compile than the rest of a file that uses them.
+/// Eigenvalues, singular values and triangles of matrices of any size, compiled once: the templates
+/// behind them take longer to compile than the rest of a file that uses them.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,12 +33,25 @@ Eigen::MatrixXd inverseSquareRoot(const Eigen::MatrixXd& m);
 /// Y with Y Yᵀ the positive part of a symmetric m; as many columns as it has positive eigenvalues.
 Eigen::MatrixXd positiveRoot(const Eigen::MatrixXd& m);
 
+/// The largest magnitude of an eigenvalue of a square m.
+double spectralRadius(const Eigen::MatrixXd& m);
+
+/// R of m = QR, upper triangular, min(rows, cols) x cols; RᵀR = mᵀm. Diagonal of any sign.
+Eigen::MatrixXd triangularFactor(const Eigen::MatrixXd& m);
+
 /// Singular values of m, descending, to full relative accuracy of the largest (one-sided Jacobi).
 Eigen::VectorXd singularValues(const Eigen::MatrixXd& m);
 
 /// Singular values, descending, and left singular vectors of a square m, into memory that the
 /// caller keeps, without heap up to kStackOrder.
 void leftSingular(const Eigen::MatrixXd& m, Eigen::VectorXd& values, Eigen::MatrixXd& vectors);
+
+/// Singular values of m, descending, and as many right singular vectors.
+struct RightSingular {
+  explicit RightSingular(const Eigen::MatrixXd& m);
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
 
 /// All left singular vectors (rows x rows), in the order of singularValues().
 Eigen::MatrixXd leftSingularVectors(const Eigen::MatrixXd& m);

@@ -1,4 +1,4 @@
-#include "quad_control/sampled_loop.hpp"
+#include "sampled_loop.hpp"
 
 #include <fmt/format.h>
 
@@ -190,10 +190,6 @@ Eigen::MatrixXd closedLoop(const LinearPlant& plant, const SampledPlant& sampled
       command;  // the newest of the inputs kept; the others move one place on
   for (Eigen::Index row = n + sums + loops; row < size; ++row) closed(row, row - loops) = 1.0;
   return closed;
-}
-
-double spectralRadius(const Eigen::MatrixXd& matrix) {
-  return matrix.eigenvalues().cwiseAbs().maxCoeff();
 }
 
 LoopMargins margins(const LinearPlant& plant, const SampledPlant& sampled,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "quad_control/pi_controller.hpp"
+#include "quad_support/linear_algebra.hpp"
 
 namespace quad_control {
 
@@ -38,9 +39,9 @@ SampledPlant discretise(const LinearPlant& plant, double period, double latency)
 Eigen::MatrixXd closedLoop(const LinearPlant& plant, const SampledPlant& sampled,
                            const std::vector<PiGains>& gains);
 
-/// Largest |eigenvalue|: below 1 means stable, its logarithm over the period is the slowest rate of
+/// Of the closed loop: below 1 means stable, its logarithm over the period is the slowest rate of
 /// decay.
-double spectralRadius(const Eigen::MatrixXd& matrix);
+using quad_support::spectralRadius;
 
 /// Robustness of one loop, broken at its input with the others closed. Gain and delay by
 /// eigenvalues, so for the sampled loop as it is; phase and sensitivity by the frequency response.
