@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "checks.hpp"
@@ -13,6 +15,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double kDependent = 1e-7;  // of the largest singular value: half of a double's digits
+
 /// (2/T) Σ ‖u_k‖² = ‖R a + r‖² + rest, from one QR of the inputs' responses.
 AmplitudeMap inputEnergyMap(const ExplorationProblem& problem, const ResponseRoot& root) {
   const Index p = problem.numAmplitudes(), nu = problem.numInputs();
@@ -26,7 +30,7 @@ AmplitudeMap inputEnergyMap(const ExplorationProblem& problem, const ResponseRoo
   const MatrixXd R = quad_support::triangularFactor(inputs);
   const MatrixXd energy = R.topLeftCorner(p, p);
   const VectorXd sigma = quad_support::singularValues(energy);
-  require(sigma(p - 1) > 1e-7 * sigma(0),
+  require(sigma(p - 1) > kDependent * sigma(0),
           "cost = input: the energy of the input does not determine the amplitudes (T = {}, {} "
           "components, singular values {} to {}); use cost = signal",
           problem.lines.num_samples, p, sigma(p - 1), sigma(0));
@@ -69,7 +73,7 @@ int rankOfAllResponses(const DesignTask& task) {
   const VectorXd sigma = quad_support::singularValues(
       quad_support::triangularFactor(all * lengths.cwiseInverse().asDiagonal()));
   int rank = 0;
-  while (rank < sigma.size() && sigma(rank) > 1e-7 * sigma(0)) ++rank;
+  while (rank < sigma.size() && sigma(rank) > kDependent * sigma(0)) ++rank;
   return rank;
 }
 
@@ -128,17 +132,25 @@ std::string reasonNothingExcites(const ExplorationProblem& problem, const Design
     return fmt::format("T = {} samples cannot determine {} regressors; T must be at least {}",
                        problem.lines.num_samples, n_phi, n_phi);
   }
-  const int rank = rankOfAllResponses(task);
-  if (rank < task.response.size()) {
+  const int rank = rankOfAllResponses(task), all = task.response.size();
+  const double growth = modeGrowth(problem);
+  if (rank < all && growth > 1.0 / kDependent) {
+    return fmt::format(
+        "the modes of {} grow {:.0e}-fold within T = {}, and beside them {} lines excite only {} "
+        "of "
+        "{} directions. {}, or add lines",
+        problem.K.size() > 0 ? "A + B K" : "A", growth, problem.lines.num_samples, L, rank, all,
+        growthRemedy(problem));
+  }
+  if (rank < all) {
     return fmt::format(
         "{} lines excite only {} of {} directions; add lines (two directions each in steady state)",
-        L, rank, task.response.size());
+        L, rank, all);
   }
   return fmt::format(
       "no amplitudes of these {} lines excite all {} directions at once; add lines, use both "
-      "phases, "
-      "or a longer T",
-      L, task.response.size());
+      "phases, or a longer T",
+      L, all);
 }
 
 }  // namespace explore_opt

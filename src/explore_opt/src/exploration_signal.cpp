@@ -86,6 +86,8 @@ void validate(const SpectralLines& lines) {
   require(lines.harmonics.empty() != lines.frequencies.empty(),
           "{} harmonics and {} frequencies; give exactly one of the two lists",
           lines.harmonics.size(), lines.frequencies.size());
+  require(lines.harmonics.empty() || T >= 3,
+          "T = {} samples hold no harmonic below T/2; T must be at least 3", T);
   requireNotMirrored(lines.harmonics, T, "harmonics");
   requireNotMirrored(lines.frequencies, 1.0, "frequencies");
   for (std::size_t i = 0; i < lines.harmonics.size(); ++i) {

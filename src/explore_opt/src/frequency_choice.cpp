@@ -19,11 +19,6 @@ using Eigen::VectorXd;
 constexpr int kCandidates = 1000;
 constexpr int kSteps = 500;
 
-MatrixXd closedLoop(const ExplorationProblem& problem) {
-  if (problem.K.size() == 0) return problem.A;
-  return problem.A + problem.B * problem.K;
-}
-
 /// Harmonics in the band, below T/2; all, or about kCandidates of them at equal ratios.
 std::vector<int> candidates(int T, const FrequencyOptions& options) {
   const double first = std::max(1.0, std::ceil(options.band_low * T - 1e-9));
@@ -42,7 +37,7 @@ std::vector<int> candidates(int T, const FrequencyOptions& options) {
 MatrixXd response(const ExplorationProblem& problem, double frequency) {
   const Index nx = problem.numStates(), nu = problem.numInputs();
   const double angle = kTwoPi * frequency;
-  const MatrixXd A = closedLoop(problem), eye = MatrixXd::Identity(nx, nx);
+  const MatrixXd A = problem.dynamics(), eye = MatrixXd::Identity(nx, nx);
   // (z I − A)(X + iY) = B, its real and its imaginary part.
   MatrixXd resolvent(2 * nx, 2 * nx), rhs = MatrixXd::Zero(2 * nx, nu);
   resolvent << std::cos(angle) * eye - A, -std::sin(angle) * eye, std::sin(angle) * eye,
@@ -155,7 +150,7 @@ FrequencyChoice chooseFrequencies(const ExplorationProblem& problem,
       options.band_low >= 0.0 && options.band_low < options.band_high && options.band_high <= 0.5,
       "band = {} to {}; must be 0 <= low < high <= 1/2 cycles per sample", options.band_low,
       options.band_high);
-  const double radius = quad_support::spectralRadius(closedLoop(problem));
+  const double radius = quad_support::spectralRadius(problem.dynamics());
   if (radius > 1.0 + 1e-6) {  // the error of a double eigenvalue of 1 is 1e-8
     throw quad_support::NegativeAnswer(
         fmt::format("the system is unstable (spectral radius {:.6g}): there is no steady state to "

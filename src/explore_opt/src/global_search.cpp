@@ -80,6 +80,10 @@ VectorXd roundLifted(const DesignTask& task, const Relaxed& relaxed, const Vecto
   return best;
 }
 
+std::string globallyOptimal(double gap) {
+  return fmt::format("globally optimal to {:.2g} (certified)", std::abs(gap));
+}
+
 void conclude(const Search& search, const DesignOptions& options, const std::string& advice,
               RawDesign& design) {
   const std::string solves = search.failures() == 0
@@ -88,7 +92,7 @@ void conclude(const Search& search, const DesignOptions& options, const std::str
                                                search.failures(), search.solves());
   if (search.gap() <= options.gap_tolerance) {
     design.status = DesignStatus::kSolved;
-    design.message = fmt::format("globally optimal to {:.2g} (certified)", search.gap());
+    design.message = globallyOptimal(search.gap());
   } else if (search.optimal()) {
     design.status = DesignStatus::kSolved;
     design.message =

@@ -101,4 +101,7 @@ class Search {
 void conclude(const Search& search, const DesignOptions& options, const std::string& advice,
               RawDesign& design);
 
+/// "globally optimal to 1e-12 (certified)"; rounding may put a gap below zero.
+std::string globallyOptimal(double gap);
+
 }  // namespace explore_opt

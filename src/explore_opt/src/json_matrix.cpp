@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -17,28 +19,38 @@ using nlohmann::ordered_json;
 using quad_support::ConfigError;
 
 constexpr int kDeepest = 64;  // matrices need three
+constexpr double kLargestDouble = std::numeric_limits<double>::max();
 
-/// Told of every event of the parser; remembers the keys of each open object.
-class RepeatedKeys {
+/// Told of every event of the parser; remembers the keys of each open object and the last of all.
+class KeyWatch {
  public:
-  explicit RepeatedKeys(const std::string& source) : source_(source) {}
+  explicit KeyWatch(const std::string& source) : source_(source) {}
 
   bool operator()(int depth, json::parse_event_t event, json& parsed) {
     if (depth > kDeepest)  // printing a value goes down by recursion
       throw ConfigError(fmt::format("{}: brackets nest deeper than {}", source_, kDeepest));
     if (event == json::parse_event_t::object_start) open_.emplace_back();
     if (event == json::parse_event_t::object_end) open_.pop_back();
-    if (event == json::parse_event_t::key &&
-        !open_.back().insert(parsed.get<std::string>()).second) {
+    if (event != json::parse_event_t::key) return true;
+    last_ = parsed.get<std::string>();
+    if (!open_.back().insert(last_).second)
       throw ConfigError(fmt::format("{}: key {} is given twice", source_, parsed.dump()));
-    }
     return true;
   }
 
+  const std::string& last() const { return last_; }
+
  private:
-  std::string source_;
+  std::string source_, last_;
   std::vector<std::set<std::string>> open_;
 };
+
+/// Without its name: "[json.exception.parse_error.101] parse error at ..."
+std::string reasonOf(const json::exception& e) {
+  const std::string reason = e.what();
+  const std::size_t name_end = reason.find("] ");
+  return name_end == std::string::npos ? reason : reason.substr(name_end + 2);
+}
 
 bool isFlat(const ordered_json& value) {
   return value.is_array() &&
@@ -66,15 +78,14 @@ void print(const ordered_json& value, const std::string& indent, std::string& ou
 }  // namespace
 
 json parseJson(const std::string& text, const std::string& source) {
+  KeyWatch keys(source);
   try {
-    return json::parse(text, RepeatedKeys(source));
-  } catch (const json::exception& e) {
-    const bool grammar = dynamic_cast<const json::parse_error*>(&e) != nullptr;
-    const std::string reason = e.what();  // "[json.exception.parse_error.101] parse error at ..."
-    const std::size_t name_end = reason.find("] ");
-    throw ConfigError(
-        fmt::format("{}: {}{}", source, grammar ? "not valid JSON: " : "",
-                    name_end == std::string::npos ? reason : reason.substr(name_end + 2)));
+    return json::parse(text, std::ref(keys));
+  } catch (const json::parse_error& e) {
+    throw ConfigError(fmt::format("{}: not valid JSON: {}", source, reasonOf(e)));
+  } catch (const json::exception& e) {  // a number beyond doubles
+    throw ConfigError(fmt::format("{}: {}: {}; must lie within -{:.2g} to {:.2g}", source,
+                                  keys.last(), reasonOf(e), kLargestDouble, kLargestDouble));
   }
 }
 

@@ -46,7 +46,7 @@ class Horizon {
         nx_(problem.numStates()),
         p_(problem.numAmplitudes()),
         num_states_(p_ + (problem.x0.isZero(0.0) ? 0 : 1)),
-        closed_(problem.K.size() > 0 ? MatrixXd(problem.A + problem.B * problem.K) : problem.A),
+        closed_(problem.dynamics()),
         power_(closed_),
         rows_(first()) {
     requireModestGrowth();
@@ -145,34 +145,19 @@ class Horizon {
     if (rows_.rows() > 2 * rank() + 8) rows_ = compressed(rows_, rank());
   }
 
-  /// Spectral radius to the power T, from two powers of the matrix: chains of integrators, which
-  /// grow with powers of T, add a factor of 4 each.
   void requireModestGrowth() const {
-    const int T = problem_.lines.num_samples;
-    MatrixXd half = MatrixXd::Identity(nx_, nx_), square = closed_;
-    for (int left = T / 2; left > 0 && half.allFinite(); left /= 2) {
-      if (left % 2 == 1) half = (half * square).eval();
-      square = (square * square).eval();
-    }
-    const double before = half.norm();
-    if (before == 0.0) return;  // nothing lasts so long
-    const double ratio = (half * half).norm() / before;
-    if (ratio * ratio < kMostGrowth) return;
+    if (modeGrowth(problem_) < kMostGrowth) return;
     throw ResponseOverflow(
         fmt::format("{} is unstable: its modes grow more than {:g}-fold within T = {}, "
                     "too much for any design to be trusted. {}",
-                    name(), kMostGrowth, T, remedy()));
+                    name(), kMostGrowth, problem_.lines.num_samples, growthRemedy(problem_)));
   }
 
   void require() const {
     if (rows_.allFinite() && rows_.cwiseAbs().maxCoeff() < kLargest) return;
     throw ResponseOverflow(
         fmt::format("the predicted response overflows: {} grows beyond {:g} within T = {}. {}",
-                    name(), kLargest, problem_.lines.num_samples, remedy()));
-  }
-  const char* remedy() const {
-    return problem_.K.size() > 0 ? "Choose a K that stabilises, or shorten T"
-                                 : "Stabilise with K (u = K x + signal), or shorten T";
+                    name(), kLargest, problem_.lines.num_samples, growthRemedy(problem_)));
   }
   const char* name() const { return problem_.K.size() > 0 ? "A + B K" : "A"; }
 
@@ -184,6 +169,23 @@ class Horizon {
 };
 
 }  // namespace
+
+double modeGrowth(const ExplorationProblem& problem) {
+  MatrixXd square = problem.dynamics(), half = MatrixXd::Identity(square.rows(), square.cols());
+  for (int left = problem.lines.num_samples / 2; left > 0 && half.allFinite(); left /= 2) {
+    if (left % 2 == 1) half = (half * square).eval();
+    square = (square * square).eval();
+  }
+  const double before = half.norm();
+  if (before == 0.0) return 0.0;  // nothing lasts so long
+  const double ratio = (half * half).norm() / before;
+  return std::isfinite(ratio) ? ratio * ratio : kInfinity;
+}
+
+std::string growthRemedy(const ExplorationProblem& problem) {
+  return problem.K.size() > 0 ? "Choose a K that stabilises, or shorten T"
+                              : "Stabilise with K (u = K x + signal), or shorten T";
+}
 
 ResponseRoot responseRoot(const ExplorationProblem& problem) {
   Horizon horizon(problem);

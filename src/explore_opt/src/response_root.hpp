@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "explore_opt/exploration_problem.hpp"
@@ -19,5 +20,13 @@ struct ResponseRoot {
 /// at most n_x + 2 L, and so is r.
 /// @throws ResponseOverflow if A (or A + B K) grows beyond what doubles resolve in T samples
 ResponseRoot responseRoot(const ExplorationProblem& problem);
+
+/// How much the modes of A (or A + B K) grow within T: spectral radius to the power T, from two
+/// powers of the matrix, in O(log T); chains of integrators, which grow with powers of T, add a
+/// factor of 4 each. Infinite where doubles overflow.
+double modeGrowth(const ExplorationProblem& problem);
+
+/// "Stabilise with K ...", or with a K given already "Choose a K that stabilises ...".
+std::string growthRemedy(const ExplorationProblem& problem);
 
 }  // namespace explore_opt

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -11,9 +10,12 @@
 #include "explore_opt/audit.hpp"
 #include "explore_opt/design_json.hpp"
 #include "explore_opt/exploration_design.hpp"
+#include "quad_support/linear_algebra.hpp"
+#include "thesis_problem.hpp"
 
 using namespace explore_opt;
 using Eigen::MatrixXd;
+using explore_opt::testing::randomMatrix;
 
 namespace {
 
@@ -22,7 +24,7 @@ ExplorationProblem growing(const MatrixXd& A, const MatrixXd& B, double decades)
   ExplorationProblem problem;
   problem.A = A;
   problem.B = B;
-  const double radius = A.eigenvalues().cwiseAbs().maxCoeff();
+  const double radius = quad_support::spectralRadius(A);
   problem.lines = {static_cast<int>(decades / std::log10(radius)) + 1, {3, 7, 12}, {}};
   problem.phase = Phase::kCos;
   problem.gamma_w = 1.0;
@@ -87,6 +89,30 @@ TEST(Growth, TooMuchOfItIsRefused) {
                 std::string::npos);
     }
   }
+}
+
+/// Six modes at random, two inputs.
+ExplorationProblem sixModes(std::uint64_t seed, double decades) {
+  MatrixXd A = randomMatrix(seed, 0, 6, 6);
+  A *= 1.4 / quad_support::spectralRadius(A);
+  return growing(A, randomMatrix(seed, 1, 6, 2), decades);
+}
+
+TEST(Growth, OfManyModesIsAuditedBeforeItIsAnswered) {
+  int answered = 0;
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    SCOPED_TRACE(seed);
+    answered += isRightOrRefused(sixModes(seed, 8.0), DesignMethod::kGlobal) ? 1 : 0;
+  }
+  EXPECT_GE(answered, 6);
+}
+
+TEST(Growth, IsNamedWhereItHidesDirections) {
+  const DesignResult result = designExploration(sixModes(1, 12.0));
+  EXPECT_EQ(result.status, DesignStatus::kNotExciting);
+  EXPECT_NE(result.message.find("the modes of A grow 1e+12-fold within T = 83"), std::string::npos)
+      << result.message;
+  EXPECT_NE(result.message.find("Stabilise with K"), std::string::npos) << result.message;
 }
 
 TEST(Growth, OfIntegratorsIsNoInstability) {

@@ -235,6 +235,23 @@ TEST(PeakLimit, LittleRoomIsFound) {  // costs of designs found by hand within t
   expectAsGoodAs(thesis, 3.31595);
 }
 
+TEST(PeakLimit, HoldsFromAStartInMotion) {  // the feedback's share of the input counts
+  ExplorationProblem problem = thesisProblem(Phase::kCos);
+  problem.K = (MatrixXd(1, 2) << -1.5, -2.0).finished();
+  problem.x0 = Eigen::Vector2d(2.0, 0.0);
+  for (const CostOn cost : {CostOn::kSignal, CostOn::kInput}) {
+    SCOPED_TRACE(static_cast<int>(cost));
+    problem.cost = cost;
+    problem.u_max.resize(0);
+    const DesignResult free = designExploration(problem);
+    problem.u_max = VectorXd::Constant(1, 0.93 * largestInput(problem, free.amplitudes));
+    const DesignResult result = designExploration(problem);
+    audit(problem, result);
+    EXPECT_LE(largestInput(problem, result.amplitudes), problem.u_max(0) * (1.0 + 1e-9));
+    EXPECT_GE(result.gamma_e, free.gamma_e * (1.0 - 1e-9));
+  }
+}
+
 TEST(PeakLimit, APlantedDesignIsMatched) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE(seed);

@@ -44,6 +44,8 @@ struct ExplorationProblem {
   int numRegressors() const { return numStates() + numInputs(); }
   /// Number p of decision variables; component i n_u + j is the amplitude of carrier i in input j.
   int numAmplitudes() const { return numCarriers(lines, phase) * numInputs(); }
+  /// What the states follow between the signal's samples: A, or A + B K.
+  Eigen::MatrixXd dynamics() const { return K.size() > 0 ? Eigen::MatrixXd(A + B * K) : A; }
 };
 
 /// @throws quad_support::DataError naming the field, its value and what it must be: shapes, values
