@@ -47,7 +47,7 @@ Estimate estimateAll(const DataSet& data, bool several) {
 bool excitingTogether(const Identification& found) {
   const bool each = std::all_of(found.data_sets.begin(), found.data_sets.end(),
                                 [](const Estimate& e) { return e.exciting; });
-  if (each || found.data_sets.size() == 1 || !found.free.empty()) return each;
+  if (each || found.data_sets.size() == 1) return each;
   std::vector<FeasibleSet> sets;
   for (const Estimate& estimate : found.data_sets) sets.push_back(estimate.set);
   return determineAll(sets);
@@ -61,17 +61,21 @@ MatrixXd freePart(const MatrixXd& Theta, const std::vector<Entry>& free) {
   return row;
 }
 
-Estimate estimateStructured(const DataSet& data, const MatrixXd& known, std::vector<Entry>& free) {
-  const StructuredFit fit = fitStructured(data.X, data.U, known);
+Estimate estimateStructured(const DataSet& data, const MatrixXd& known, bool several,
+                            std::vector<Entry>& free) {
+  const bool enough = data.U.cols() * data.X.rows() >= known.array().isNaN().count();
+  StructuredFit fit = several && !enough ? openStructuredFit(data.X, data.U, known)
+                                         : fitStructured(data.X, data.U, known);
+  if (several && enough && !fit.exciting) fit = openStructuredFit(data.X, data.U, known);
   Estimate estimate = startEstimate(data, fit);
   free = fit.free;
-  if (!fit.exciting) return estimate;
+  if (!fit.exciting && !several) return estimate;
   const auto n = fit.root.cols();
   estimate.set.center = freePart(fit.Theta, free);
   estimate.set.root = fit.root;
   estimate.set.gamma_w = data.gamma_w;
   estimate.set.G = data.gamma_w - fit.residual_energy;
-  estimate.set.lambda_min_S = largestRadius(fit.root, MatrixXd::Identity(n, n));
+  if (fit.exciting) estimate.set.lambda_min_S = largestRadius(fit.root, MatrixXd::Identity(n, n));
   return estimate;
 }
 
@@ -215,7 +219,7 @@ Identification identify(const std::vector<DataSet>& data, const IdentificationRe
             "{} has {} states and {} inputs, the first data set {} and {}", set.name, set.X.rows(),
             set.U.rows(), nx, nu);
     out.data_sets.push_back(request.known.size() > 0
-                                ? estimateStructured(set, request.known, out.free)
+                                ? estimateStructured(set, request.known, data.size() > 1, out.free)
                                 : estimateAll(set, data.size() > 1));
   }
   const Coordinates coordinates(request.known, out.free, nx, nx + nu);
@@ -228,7 +232,7 @@ Identification identify(const std::vector<DataSet>& data, const IdentificationRe
 }
 
 std::string complaint(const Identification& v) {
-  if (!v.exciting && v.data_sets.size() > 1 && v.free.empty()) {
+  if (!v.exciting && v.data_sets.size() > 1) {
     return fmt::format(
         "the {} data sets do not determine [A B], not even together; excite what each leaves open",
         v.data_sets.size());

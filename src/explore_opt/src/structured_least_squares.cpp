@@ -1,9 +1,9 @@
 #include "explore_opt/structured_least_squares.hpp"
 
+#include <Eigen/QR>
 #include <Eigen/SPQRSupport>
 #include <Eigen/SparseCore>
 #include <algorithm>
-#include <limits>
 
 #include "checks.hpp"
 #include "constants.hpp"
@@ -89,6 +89,14 @@ VectorXd singularValuesOf(const MatrixXd& root, const std::vector<std::vector<In
   return Eigen::Map<const VectorXd>(all.data(), static_cast<Index>(all.size()));
 }
 
+void judgeExcitation(const MatrixXd& scaled_root, const std::vector<std::vector<Index>>& groups,
+                     StructuredFit& fit) {
+  fit.singular_values = singularValuesOf(scaled_root, groups);
+  const double least = fit.singular_values.tail(1)(0);
+  fit.condition = least > 0.0 ? fit.singular_values(0) / least : kInfinity;
+  fit.exciting = fit.condition <= kLargestCondition;
+}
+
 /// The R of a sparse QR with its columns in the order of the regressor.
 MatrixXd rootOf(const Eigen::SPQR<Sparse>& qr, Index n) {
   const MatrixXd permuted = MatrixXd(qr.matrixR()).topRows(n).triangularView<Eigen::Upper>();
@@ -119,7 +127,59 @@ double refineRow(const VectorXd& target, const MatrixXd& phi, const std::vector<
   return refined.residual.squaredNorm();
 }
 
+/// One row of the open fit: smallest of all minimisers, triangle and residual.
+void openRow(const VectorXd& target, const MatrixXd& phi, const std::vector<Index>& group,
+             const VectorXd& scales, StructuredFit& fit) {
+  if (group.empty()) {
+    fit.residual_energy += target.squaredNorm();
+    return;
+  }
+  const auto n = static_cast<Index>(group.size());
+  const Index T = phi.cols();
+  MatrixXd A = MatrixXd::Zero(std::max(T, n), n);
+  for (Index j = 0; j < n; ++j) {
+    const Index e = group[static_cast<std::size_t>(j)];
+    A.col(j).head(T) = phi.row(fit.free[static_cast<std::size_t>(e)].column) / scales(e);
+  }
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
+  decomposition.setThreshold(1.0 / kLargestCondition);
+  decomposition.compute(A.topRows(T));
+  const VectorXd solution = decomposition.solve(target);
+  const MatrixXd R = quad_support::triangularFactor(A);
+  for (Index j = 0; j < n; ++j) {
+    const Index e = group[static_cast<std::size_t>(j)];
+    const Entry at = fit.free[static_cast<std::size_t>(e)];
+    fit.Theta(at.row, at.column) = solution(j) / scales(e);
+    for (Index i = 0; i < n; ++i) fit.root(group[static_cast<std::size_t>(i)], e) = R(i, j);
+  }
+  fit.residual_energy += (target - A.topRows(T) * solution).squaredNorm();
+}
+
 }  // namespace
+
+StructuredFit openStructuredFit(const MatrixXd& X, const MatrixXd& U, const MatrixXd& known) {
+  requireTrajectory(X, U);
+  const Index nx = X.rows(), T = U.cols();
+  requireShape(known, nx, nx + U.rows(), "known [A B]");
+  StructuredFit fit;
+  fit.free = freeEntries(known);
+  const auto n = static_cast<Index>(fit.free.size());
+  require(n > 0, "every entry of [A B] is known; mark those to estimate with null");
+
+  MatrixXd phi(nx + U.rows(), T);
+  phi << X.leftCols(T), U;
+  const VectorXd scales = columnScales(phi, fit.free);
+  fit.Theta = known.unaryExpr([](double v) { return std::isnan(v) ? 0.0 : v; });
+  fit.root = MatrixXd::Zero(n, n);
+  const MatrixXd target = X.rightCols(T) - fit.Theta * phi;
+  const auto groups = groupByRow(fit.free, nx);
+  for (Index i = 0; i < nx; ++i)
+    openRow(target.row(i).transpose(), phi, groups[static_cast<std::size_t>(i)], scales, fit);
+  judgeExcitation(fit.root, groups, fit);
+  fit.root = fit.root * scales.asDiagonal();
+  fit.information = fit.root.transpose() * fit.root;
+  return fit;
+}
 
 StructuredFit fitStructured(const MatrixXd& X, const MatrixXd& U, const MatrixXd& known) {
   requireTrajectory(X, U);
@@ -140,11 +200,7 @@ StructuredFit fitStructured(const MatrixXd& X, const MatrixXd& U, const MatrixXd
   require(qr.info() == Eigen::Success, "sparse QR failed");
   const MatrixXd scaled_root = rootOf(qr, n);
   const auto groups = groupByRow(fit.free, nx);
-  fit.singular_values = singularValuesOf(scaled_root, groups);
-  const double least = fit.singular_values(n - 1);
-  fit.condition =
-      least > 0.0 ? fit.singular_values(0) / least : std::numeric_limits<double>::infinity();
-  fit.exciting = fit.condition <= kLargestCondition;
+  judgeExcitation(scaled_root, groups, fit);
   fit.root = scaled_root * scales.asDiagonal();
   fit.information = fit.root.transpose() * fit.root;
   if (!fit.exciting) return fit;

@@ -187,24 +187,30 @@ TEST(Fusion, FollowsTheFormulaForAnyWeights) {
   }
 }
 
-/// Two inputs, of which each data set moves one: cylinders whose intersection is bounded.
+/// Two data sets, each of which moves one of two inputs. γ_w = 0.5 each, of which 0.4 is used.
+std::vector<DataSet> oneInputEach(const Eigen::MatrixXd& Theta, std::uint64_t seed) {
+  std::vector<DataSet> data;
+  for (std::uint64_t j = 0; j < 2; ++j) {
+    DataSet one = simulated(Theta, 10 * seed + j, 0.0, 0.5, 40);
+    one.U.row(static_cast<Eigen::Index>(j)).setZero();
+    Eigen::MatrixXd w = randomMatrix(seed, 20 + j, 2, 40);
+    w *= std::sqrt(0.4 / w.squaredNorm());
+    for (int k = 0; k < 40; ++k) {
+      one.X.col(k + 1) =
+          Theta.leftCols(2) * one.X.col(k) + Theta.rightCols(2) * one.U.col(k) + w.col(k);
+    }
+    data.push_back(one);
+  }
+  return data;
+}
+
+/// Cylinders whose intersection is bounded.
 TEST(Fusion, OfSetsThatOnlyTogetherDetermineAll) {
   int outside_one = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     const Eigen::MatrixXd Theta = system(seed, 2, 2);
-    std::vector<DataSet> data;
-    for (std::uint64_t j = 0; j < 2; ++j) {
-      DataSet one = simulated(Theta, 10 * seed + j, 0.0, 0.5, 40);
-      one.U.row(static_cast<Eigen::Index>(j)).setZero();
-      Eigen::MatrixXd w = randomMatrix(seed, 20 + j, 2, 40);
-      w *= std::sqrt(0.4 / w.squaredNorm());
-      for (int k = 0; k < 40; ++k) {
-        one.X.col(k + 1) =
-            Theta.leftCols(2) * one.X.col(k) + Theta.rightCols(2) * one.U.col(k) + w.col(k);
-      }
-      data.push_back(one);
-    }
+    const std::vector<DataSet> data = oneInputEach(Theta, seed);
     EXPECT_FALSE(identify({data[0]}, {}).exciting);
     EXPECT_FALSE(identify({data[0], data[0]}, {}).exciting);
     IdentificationRequest request;
@@ -240,6 +246,51 @@ TEST(Fusion, OfSetsThatOnlyTogetherDetermineAll) {
     }
   }
   EXPECT_GT(outside_one, 0);
+}
+
+TEST(Fusion, OfSetsThatOnlyTogetherDetermineTheUnknownEntries) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    const Eigen::MatrixXd Theta = system(seed, 2, 2);
+    std::vector<DataSet> data = oneInputEach(Theta, seed);
+    if (seed % 2 == 1) {  // fewer equations than unknowns
+      data[0].X = Eigen::MatrixXd(data[0].X.leftCols(3));
+      data[0].U = Eigen::MatrixXd(data[0].U.leftCols(2));
+    }
+    IdentificationRequest request;
+    request.known = Eigen::MatrixXd::Constant(2, 4, NAN);
+    request.known(0, 0) = Theta(0, 0);
+    request.known(1, 1) = Theta(1, 1);
+    EXPECT_FALSE(identify({data[1]}, request).exciting);
+    EXPECT_FALSE(identify({data[1], data[1]}, request).exciting);
+    request.candidate = Theta;
+    const Identification both = identify(data, request);
+    ASSERT_TRUE(both.exciting) << complaint(both);
+    EXPECT_EQ(complaint(both), "");
+    EXPECT_TRUE(both.candidateIsMember());  // every γ_w is valid
+    EXPECT_TRUE((both.lower.array() <= Theta.array()).all());
+    EXPECT_TRUE((both.upper.array() >= Theta.array()).all());
+    // Whatever weights were found, the set is Σ λ_j (residuals of set j) <= Σ λ_j γ_w,j.
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      Eigen::MatrixXd point = Theta + 0.1 * randomMatrix(seed, 30 + i, 2, 4);
+      point(0, 0) = Theta(0, 0);
+      point(1, 1) = Theta(1, 1);
+      request.candidate = point;
+      const Identification asked = identify(data, request);
+      double sum = 0.0;
+      for (std::size_t j = 0; j < 2; ++j) {
+        const DataSet& d = data[j];
+        const double residual =
+            (d.X.rightCols(d.U.cols()) - point.leftCols(2) * d.X.leftCols(d.U.cols()) -
+             point.rightCols(2) * d.U)
+                .squaredNorm();
+        sum += both.weights[j] * (residual - d.gamma_w);
+        EXPECT_NEAR(asked.candidate_distances[j] - asked.data_sets[j].set.G, residual - d.gamma_w,
+                    1e-10);  // numbers of the size of one
+      }
+      EXPECT_NEAR(*asked.candidate_distance - asked.set.G, sum, 1e-10);
+    }
+  }
 }
 
 TEST(Fusion, SeesWhatNoSetAloneSees) {
@@ -299,12 +350,13 @@ TEST(Identification, NamesTheDataSetThatDoesNotExcite) {
   const Identification twice = identify({still, still}, {});
   EXPECT_FALSE(twice.exciting);
   EXPECT_NE(complaint(twice).find("not even together"), std::string::npos);
-  IdentificationRequest structured;  // with known entries each must excite
+  IdentificationRequest structured;
   structured.known = Eigen::MatrixXd::Constant(2, 3, NAN);
   structured.known(0, 0) = Theta(0, 0);
-  const Identification known = identify({simulated(Theta, 1, 0.01, 0.02), still}, structured);
-  EXPECT_FALSE(known.exciting);
-  EXPECT_EQ(complaint(known).rfind("still.csv: the data do not determine", 0), 0u);
+  EXPECT_EQ(complaint(identify({still}, structured)).rfind("still.csv: the data do not", 0), 0u);
+  EXPECT_NE(complaint(identify({still, still}, structured)).find("not even together"),
+            std::string::npos);
+  EXPECT_TRUE(identify({simulated(Theta, 1, 0.01, 0.02), still}, structured).exciting);
   DataSet other = simulated(system(1, 3, 1), 1, 0.01, 0.02);
   EXPECT_THROW(identify({still, other}, {}), DataError);
   EXPECT_THROW(identify({}, {}), DataError);

@@ -51,7 +51,7 @@ struct Estimate {
 struct Identification {
   std::vector<Estimate> data_sets;
   std::vector<Entry> free;  ///< where ϑ stands in Θ; empty without known entries
-  bool exciting = false;    ///< all of them together (with known entries: each of them)
+  bool exciting = false;    ///< all of them together
   /// From here on only if exciting. One data set: its own; several: fused
   Eigen::MatrixXd Theta, information;
   FeasibleSet set;

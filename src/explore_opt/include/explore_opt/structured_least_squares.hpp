@@ -33,6 +33,11 @@ struct StructuredFit {
 StructuredFit fitStructured(const Eigen::MatrixXd& X, const Eigen::MatrixXd& U,
                             const Eigen::MatrixXd& known);
 
+/// The same for data that need not excite, any T >= 1, row by row of Θ; as openFit() is to
+/// fitLeastSquares().
+StructuredFit openStructuredFit(const Eigen::MatrixXd& X, const Eigen::MatrixXd& U,
+                                const Eigen::MatrixXd& known);
+
 /// D restricted to the free entries, Eᵀ D E. @param closeness  as fullCloseness() in
 /// set_membership.hpp
 Eigen::MatrixXd restrictCloseness(const Eigen::MatrixXd& closeness, const StructuredFit& fit);
