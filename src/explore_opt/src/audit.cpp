@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "quad_support/interrupt.hpp"
 
 namespace explore_opt {
 namespace {
@@ -141,6 +142,7 @@ Sums simulate(const ExplorationProblem& problem, const Matrix& Y, const DesignCl
   Matrix X = Matrix::Zero(nx, p + 1), phi(n, p + 1);
   if (problem.x0.size() > 0) X.col(p) = problem.x0.cast<Real>();
   for (int k = 0; k < problem.lines.num_samples; ++k) {
+    if (k % 4096 == 0) quad_support::throwIfInterrupted();
     Matrix U = Matrix::Zero(nu, p + 1);
     for (int a = 0; a < p; ++a) U(a % nu, a) = carrier(problem, a / nu, k);
     if (problem.K.size() > 0) U += problem.K.cast<Real>() * X;
@@ -383,6 +385,7 @@ AuditReport audit(const ExplorationProblem& problem, const DesignClaims& claims)
   for (Index j = 0; j < problem.u_max.size(); ++j) {
     const bool norm = problem.u_max.size() == 1;
     const auto peak = static_cast<double>(s.largest_inputs(norm ? problem.numInputs() : j));
+    report.peak_ratio = std::max(report.peak_ratio, peak / problem.u_max(j));
     add("peak", peak <= problem.u_max(j) * (1.0 + 1e-6),
         fmt::format("the largest {} is {:.9g}; u_max = {:.9g}",
                     norm ? std::string("||u_k||") : fmt::format("|u_{}|", j + 1), peak,

@@ -134,12 +134,12 @@ std::string reasonNothingExcites(const ExplorationProblem& problem, const Design
   }
   const int rank = rankOfAllResponses(task), all = task.response.size();
   const double growth = modeGrowth(problem);
-  if (rank < all && growth > 1.0 / kDependent) {
+  if (growth > 1.0 / kDependent) {
+    const std::string some = rank < all ? fmt::format("only {} of", rank) : "not all";
     return fmt::format(
-        "the modes of {} grow {:.0e}-fold within T = {}, and beside them {} lines excite only {} "
-        "of "
-        "{} directions. {}, or add lines",
-        problem.K.size() > 0 ? "A + B K" : "A", growth, problem.lines.num_samples, L, rank, all,
+        "the modes of {} grow {:.0e}-fold within T = {}, and beside them {} lines excite {} {} "
+        "directions. {}, or add lines",
+        dynamicsName(problem), growth, problem.lines.num_samples, L, some, all,
         growthRemedy(problem));
   }
   if (rank < all) {

@@ -2,12 +2,12 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "checks.hpp"
 #include "constraint_shape.hpp"
 #include "design_tools.hpp"
-#include "explore_opt/audit.hpp"
-#include "global_search.hpp"
+#include "grown_answer.hpp"
 #include "peak_limits.hpp"
 #include "quad_support/linear_algebra.hpp"
 #include "response_root.hpp"
@@ -31,7 +31,7 @@ void validate(const DesignOptions& options) {
   requireFinite(options.initial_amplitudes, "initial amplitudes");
 }
 
-constexpr double kBelowBound = 1e-9;  // relative, for rounding; audit() grants as much
+constexpr double kBelowBound = 1e-9;  // of the cost, for rounding; audit() grants as much
 
 /// Combinations a method does not solve are the caller's mistake.
 void validateFor(const ExplorationProblem& problem, const DesignOptions& options) {
@@ -85,36 +85,13 @@ void fill(const ExplorationProblem& problem, const DesignTask& single, const Raw
       task.response.homogeneous() ? withPositiveLargest(raw.amplitudes) : raw.amplitudes);
   if (problem.u_max.size() > 0) {
     result.peak = peakRatio(problem, amplitudes);
-    if (result.peak > 1.0 + 1e-9)
+    if (!(result.peak <= 1.0 + 1e-9))
       return refuse(result, fmt::format("the amplitudes found reach {} of u_max", result.peak));
   }
-  const double cost = task.costAt(raw.amplitudes);
-  if (cost < result.lower_bound * (1.0 - kBelowBound)) {
-    return refuse(result,
-                  fmt::format("the amplitudes found cost {:.9g}, less than the bound {:.9g} "
-                              "proves possible: rounding has spoilt one of them. Shorten T, "
-                              "or stabilise with K where A is unstable",
-                              cost, result.lower_bound));
-  }
   result.amplitudes = amplitudes;
-  result.gamma_e = cost;
+  result.gamma_e = task.costAt(raw.amplitudes);
   result.gap = result.gamma_e > 0.0 ? (result.gamma_e - result.lower_bound) / result.gamma_e : 0.0;
   result.lambda_min = lambda_min;
-}
-
-/// Modes that grow this much make rounding count: 1e-16 of the growth, of the information.
-constexpr double kGrowthAudited = 1e5;
-constexpr double kShort = 1e-10;  // of the information; audit() grants ten times as much
-
-DesignClaims claimsOf(const DesignResult& result) {
-  DesignClaims claims;
-  claims.amplitudes = result.amplitudes;
-  claims.gamma_e = result.gamma_e;
-  claims.lower_bound = result.lower_bound;
-  claims.multiplier_root = result.multiplier_root;
-  for (const PeakMultiplier& peak : result.peak_multipliers)
-    claims.peak_multipliers.push_back({peak.sample, peak.input, peak.value});
-  return claims;
 }
 
 void withdraw(DesignResult& result, const std::string& why) {
@@ -124,38 +101,18 @@ void withdraw(DesignResult& result, const std::string& why) {
   refuse(result, why);
 }
 
-/// Simulates the answer in long double before it is given. Amplitudes that fall short for rounding
-/// are scaled up, cost, bound and gap are those of the simulation.
-void auditGrown(const ExplorationProblem& problem, const DesignOptions& options, double growth,
-                DesignResult& result) {
-  const double claimed = result.gap;
-  AuditReport report = audit(problem, claimsOf(result));
-  for (int i = 0; i < 4 && report.lambda_min > 0.0 && report.lambda_min < 1.0 - kShort; ++i) {
-    result.amplitudes *= std::sqrt(1.0 / report.lambda_min) * (1.0 + 1e-12);
-    report = audit(problem, claimsOf(result));
+/// Judged once more: in long double where modes grow, else by comparing cost and bound.
+void confirm(const ExplorationProblem& problem, const DesignOptions& options,
+             DesignResult& result) {
+  const double growth = modeGrowth(problem);
+  if (growth > kGrowthAudited) {
+    const std::string complaint = auditGrown(problem, options, growth, result);
+    if (!complaint.empty()) withdraw(result, complaint);
+  } else if (result.feasible() && result.gap < -kBelowBound) {
+    withdraw(result, fmt::format("the amplitudes found cost {:.9g}, less than the bound {:.9g} "
+                                 "proves possible: rounding has spoilt one of them. Shorten T",
+                                 result.gamma_e, result.lower_bound));
   }
-  result.lower_bound = std::min(result.lower_bound, report.lower_bound);
-  result.gamma_e = report.gamma_e;
-  result.lambda_min = report.lambda_min;
-  result.gap = report.gamma_e > 0.0 ? 1.0 - result.lower_bound / report.gamma_e : 0.0;
-  if (problem.u_max.size() > 0) result.peak = peakRatio(problem, result.amplitudes);
-  if (!(report.lambda_min >= 1.0 - 2.0 * kShort) || result.peak > 1.0 + 1e-9 ||
-      !(result.gap >= -kBelowBound)) {
-    return withdraw(result, fmt::format("the modes grow {:.0e}-fold within T = {}, and the "
-                                        "amplitudes found do not stand a simulation in more "
-                                        "digits. {}",
-                                        growth, problem.lines.num_samples, growthRemedy(problem)));
-  }
-  if (result.status != DesignStatus::kSolved || result.gap <= claimed + 1e-9) return;
-  if (result.gap <= options.gap_tolerance) {
-    result.message = globallyOptimal(result.gap);
-    return;
-  }
-  result.status = DesignStatus::kReducedAccuracy;
-  result.message = fmt::format(
-      "feasible, certified within {:.2g} of the optimum: the modes grow "
-      "{:.0e}-fold within T = {}",
-      result.gap, growth, problem.lines.num_samples);
 }
 
 }  // namespace
@@ -201,8 +158,7 @@ DesignResult designExploration(const ExplorationProblem& problem, const DesignOp
          options.method == DesignMethod::kGlobal ? designGlobal(problem, task, options)
                                                  : designByMajorisation(problem, task, options),
          result);
-    const double growth = modeGrowth(problem);
-    if (result.feasible() && growth > kGrowthAudited) auditGrown(problem, options, growth, result);
+    confirm(problem, options, result);
   } catch (const ResponseOverflow& e) {
     refuse(result, e.what());
   }

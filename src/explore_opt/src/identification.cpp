@@ -1,7 +1,6 @@
 #include "explore_opt/identification.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "checks.hpp"
 #include "constants.hpp"
@@ -234,8 +233,8 @@ Identification identify(const std::vector<DataSet>& data, const IdentificationRe
 std::string complaint(const Identification& v) {
   if (!v.exciting && v.data_sets.size() > 1) {
     return fmt::format(
-        "the {} data sets do not determine [A B], not even together; excite what each leaves open",
-        v.data_sets.size());
+        "the {} data sets do not determine {}, not even together; excite what each leaves open",
+        v.data_sets.size(), v.free.empty() ? "[A B]" : "the unknown entries");
   }
   for (const Estimate& e : v.data_sets) {
     if (e.exciting || v.exciting) continue;

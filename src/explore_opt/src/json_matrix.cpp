@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <set>
 #include <vector>
 
@@ -19,7 +18,6 @@ using nlohmann::ordered_json;
 using quad_support::ConfigError;
 
 constexpr int kDeepest = 64;  // matrices need three
-constexpr double kLargestDouble = std::numeric_limits<double>::max();
 
 /// Told of every event of the parser; remembers the keys of each open object and the last of all.
 class KeyWatch {
@@ -83,9 +81,10 @@ json parseJson(const std::string& text, const std::string& source) {
     return json::parse(text, std::ref(keys));
   } catch (const json::parse_error& e) {
     throw ConfigError(fmt::format("{}: not valid JSON: {}", source, reasonOf(e)));
-  } catch (const json::exception& e) {  // a number beyond doubles
-    throw ConfigError(fmt::format("{}: {}: {}; must lie within -{:.2g} to {:.2g}", source,
-                                  keys.last(), reasonOf(e), kLargestDouble, kLargestDouble));
+  } catch (const json::exception& e) {
+    const std::string key = keys.last().empty() ? "" : keys.last() + ": ";
+    throw ConfigError(
+        fmt::format("{}: {}{}; must lie within -1.79e308 to 1.79e308", source, key, reasonOf(e)));
   }
 }
 

@@ -147,19 +147,18 @@ class Horizon {
 
   void requireModestGrowth() const {
     if (modeGrowth(problem_) < kMostGrowth) return;
-    throw ResponseOverflow(
-        fmt::format("{} is unstable: its modes grow more than {:g}-fold within T = {}, "
-                    "too much for any design to be trusted. {}",
-                    name(), kMostGrowth, problem_.lines.num_samples, growthRemedy(problem_)));
+    throw ResponseOverflow(fmt::format(
+        "{} is unstable: its modes grow more than {:g}-fold within T = {}, "
+        "too much for any design to be trusted. {}",
+        dynamicsName(problem_), kMostGrowth, problem_.lines.num_samples, growthRemedy(problem_)));
   }
 
   void require() const {
     if (rows_.allFinite() && rows_.cwiseAbs().maxCoeff() < kLargest) return;
-    throw ResponseOverflow(
-        fmt::format("the predicted response overflows: {} grows beyond {:g} within T = {}. {}",
-                    name(), kLargest, problem_.lines.num_samples, growthRemedy(problem_)));
+    throw ResponseOverflow(fmt::format(
+        "the predicted response overflows: {} grows beyond {:g} within T = {}. {}",
+        dynamicsName(problem_), kLargest, problem_.lines.num_samples, growthRemedy(problem_)));
   }
-  const char* name() const { return problem_.K.size() > 0 ? "A + B K" : "A"; }
 
   const ExplorationProblem& problem_;
   int nx_, p_, num_states_, t_ = 1;
@@ -180,6 +179,10 @@ double modeGrowth(const ExplorationProblem& problem) {
   if (before == 0.0) return 0.0;  // nothing lasts so long
   const double ratio = (half * half).norm() / before;
   return std::isfinite(ratio) ? ratio * ratio : kInfinity;
+}
+
+std::string dynamicsName(const ExplorationProblem& problem) {
+  return problem.K.size() > 0 ? "A + B K" : "A";
 }
 
 std::string growthRemedy(const ExplorationProblem& problem) {

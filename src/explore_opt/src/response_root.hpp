@@ -26,6 +26,9 @@ ResponseRoot responseRoot(const ExplorationProblem& problem);
 /// factor of 4 each. Infinite where doubles overflow.
 double modeGrowth(const ExplorationProblem& problem);
 
+/// "A", or "A + B K"
+std::string dynamicsName(const ExplorationProblem& problem);
+
 /// "Stabilise with K ...", or with a K given already "Choose a K that stabilises ...".
 std::string growthRemedy(const ExplorationProblem& problem);
 

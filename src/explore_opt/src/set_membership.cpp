@@ -1,6 +1,5 @@
 #include "explore_opt/set_membership.hpp"
 
-#include <Eigen/LU>
 #include <limits>
 #include <unsupported/Eigen/KroneckerProduct>
 

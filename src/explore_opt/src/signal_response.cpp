@@ -1,7 +1,6 @@
 #include "explore_opt/signal_response.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "checks.hpp"
 #include "constants.hpp"

@@ -158,6 +158,13 @@ TEST_F(BadProblems, EndWithTheReason) {
   }
 }
 
+TEST_F(BadProblems, NumbersBeyondDoublesMayHaveNoKey) {
+  EXPECT_EQ(design("[1e400]"), 2);
+  EXPECT_NE(stderr_.find("problem.json: number overflow parsing '1e400'; must lie within"),
+            std::string::npos)
+      << stderr_;
+}
+
 TEST_F(BadProblems, TruncatedAnywhere) {
   const std::string whole = thesis().dump();
   for (std::size_t length = 0; length < whole.size(); length += 7) {

@@ -10,6 +10,7 @@
 #include "explore_opt/audit.hpp"
 #include "explore_opt/design_json.hpp"
 #include "explore_opt/exploration_design.hpp"
+#include "explore_opt/predicted_response.hpp"
 #include "quad_support/linear_algebra.hpp"
 #include "thesis_problem.hpp"
 
@@ -105,6 +106,47 @@ TEST(Growth, OfManyModesIsAuditedBeforeItIsAnswered) {
     answered += isRightOrRefused(sixModes(seed, 8.0), DesignMethod::kGlobal) ? 1 : 0;
   }
   EXPECT_GE(answered, 6);
+}
+
+/// Everything a problem may say, on one growing mode beside a stable one (and K that keeps it so).
+std::vector<ExplorationProblem> allKinds(double decades) {
+  const ExplorationProblem plain = family(decades)[1];
+  std::vector<ExplorationProblem> kinds(9, plain);
+  kinds[1].phase = Phase::kBoth;
+  kinds[2].x0 = Eigen::Vector2d(0.3, -0.2);
+  kinds[3].K = (MatrixXd(1, 2) << 0.1, -0.05).finished();
+  kinds[3].A -= kinds[3].B * kinds[3].K;
+  kinds[4] = kinds[3];
+  if (decades < 8.0) kinds[4].cost = CostOn::kInput;  // beyond, the input's energy loses its rank
+  kinds[5].known = MatrixXd::Constant(2, 3, NAN);
+  kinds[5].known(1, 0) = 0.0;
+  kinds[6].experiments = 2;
+  kinds[7].D_des = (MatrixXd(3, 3) << 1.0, 0.2, 0.0, 0.2, 2.0, 0.1, 0.0, 0.1, 0.0).finished();
+  kinds[7].D_des(2, 2) = 1.0;
+  kinds[8].D_des = Eigen::Vector3d(1.0, 0.0, 1.0).asDiagonal();
+  for (const std::size_t i : {0, 2, 3, 4}) {  // the same again under a limit
+    const DesignResult free = designExploration(kinds[i]);
+    if (!free.feasible()) continue;
+    kinds.push_back(kinds[i]);
+    const double peak = predictedInputs(kinds[i], free.amplitudes).cwiseAbs().maxCoeff();
+    kinds.back().u_max = Eigen::VectorXd::Constant(1, 0.97 * peak);
+  }
+  return kinds;
+}
+
+TEST(Growth, OfEveryKindOfProblem) {
+  for (const double decades : {7.0, 9.0, 10.0}) {
+    int answered = 0, kind = 0;
+    for (const ExplorationProblem& problem : allKinds(decades)) {
+      for (const DesignMethod method : {DesignMethod::kGlobal, DesignMethod::kMm}) {
+        if (method == DesignMethod::kMm && problem.u_max.size() > 0) continue;
+        SCOPED_TRACE(fmt::format("1e{}, kind {}, {}", decades, kind, toString(method)));
+        answered += isRightOrRefused(problem, method) ? 1 : 0;
+      }
+      ++kind;
+    }
+    EXPECT_GE(answered, 12) << "1e" << decades;
+  }
 }
 
 TEST(Growth, IsNamedWhereItHidesDirections) {

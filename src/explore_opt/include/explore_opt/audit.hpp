@@ -39,7 +39,8 @@ struct AuditReport {
   double gamma_e = 0.0;
   double lower_bound = 0.0;  ///< what the multiplier proves
   double gap = 0.0;
-  double peak = 0.0;  ///< max_k ‖u_k‖
+  double peak = 0.0;        ///< max_k ‖u_k‖
+  double peak_ratio = 0.0;  ///< with u_max: the largest ‖u_k‖/u_max or |u_kj|/u_max,j
 
   bool passed() const;
 };

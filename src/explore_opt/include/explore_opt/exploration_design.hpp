@@ -25,7 +25,8 @@ enum class DesignStatus {
   /// Feasible and converged (global: gap within tolerance, or the best of all starts is a KKT
   /// point)
   kSolved,
-  /// Feasible, but the solver stopped early or the KKT conditions are met only roughly
+  /// Feasible, but the solver stopped early, the KKT conditions are met only roughly, or rounding
+  /// in growing modes leaves less certified
   kReducedAccuracy,
   /// No amplitudes satisfy the constraint
   kInfeasible,

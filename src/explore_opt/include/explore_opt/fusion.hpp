@@ -21,7 +21,8 @@ bool determineAll(const std::vector<FeasibleSet>& sets);
 /// ellipsoid. The weights sought make its margin/G largest (margin: informationMargin() of the
 /// closeness); whatever the search finds is valid. If some weights give G < 0 the intersection is
 /// empty, and those are returned: some γ_w is falsified, though none alone may be.
-/// A set whose data leave directions open (see openFit()) is a cylinder; it counts in the others.
+/// A set whose data leave directions open (see openFit(), openStructuredFit()) is a cylinder; it
+/// counts in the others.
 /// @param sets  of equal shape, G_j >= 0 or not; at least one; together they must determineAll()
 /// @param closeness  as informationMargin(); 1 x 1 for λ(D_bd)
 /// @throws quad_support::DataError for none or unequal shapes

@@ -35,6 +35,8 @@ StructuredFit fitStructured(const Eigen::MatrixXd& X, const Eigen::MatrixXd& U,
 
 /// The same for data that need not excite, any T >= 1, row by row of Θ; as openFit() is to
 /// fitLeastSquares().
+/// @throws quad_support::DataError: shapes that do not fit, values that are not finite, nothing to
+/// estimate
 StructuredFit openStructuredFit(const Eigen::MatrixXd& X, const Eigen::MatrixXd& U,
                                 const Eigen::MatrixXd& known);
 
