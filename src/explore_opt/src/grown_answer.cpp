@@ -30,11 +30,14 @@ AuditReport audited(const ExplorationProblem& problem, const DesignResult& resul
   return audit(problem, claims);
 }
 
-/// The bound needs no amplitudes.
-bool boundStands(const ExplorationProblem& problem, const DesignResult& result) {
+/// Of an answer without amplitudes: the bound needs none. What is not proven is taken back.
+bool boundStands(const ExplorationProblem& problem, DesignResult& result) {
+  if (result.multiplier_root.size() == 0) return true;
   const Eigen::MatrixXd none =
       Eigen::MatrixXd::Zero(numCarriers(problem.lines, problem.phase), problem.numInputs());
-  return result.lower_bound <= audited(problem, result, none).lower_bound * (1.0 + kBoundGranted);
+  const double claimed = result.lower_bound;
+  result.lower_bound = std::min(claimed, audited(problem, result, none).lower_bound);
+  return claimed <= result.lower_bound * (1.0 + kBoundGranted);
 }
 
 /// Says in status and message what the audit has changed.
@@ -61,9 +64,8 @@ std::string auditGrown(const ExplorationProblem& problem, const DesignOptions& o
         "simulation in more digits. {}",
         dynamicsName(problem), growth, problem.lines.num_samples, what, growthRemedy(problem));
   };
-  if (result.status == DesignStatus::kInfeasible)
+  if (!result.feasible())
     return boundStands(problem, result) ? "" : complaint("the bound found does");
-  if (!result.feasible()) return "";
 
   AuditReport report = audited(problem, result, result.amplitudes);
   if (report.lambda_min > 0.0 && report.lambda_min < 1.0 - kShort) {

@@ -12,7 +12,8 @@ namespace explore_opt {
 constexpr double kGrowthAudited = 1e5;
 
 /// Simulates the answer by audit(). Amplitudes that fall short are scaled up once; cost, bound,
-/// gap and peak become those of the simulation. Of an infeasible problem the bound is judged.
+/// gap and peak become those of the simulation. Of an answer without amplitudes the bound is
+/// judged.
 /// @param growth  modeGrowth(problem)
 /// @returns why the answer must be withdrawn; empty if it stands
 std::string auditGrown(const ExplorationProblem& problem, const DesignOptions& options,

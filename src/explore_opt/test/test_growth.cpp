@@ -149,6 +149,21 @@ TEST(Growth, OfEveryKindOfProblem) {
   }
 }
 
+TEST(Growth, InfeasibleIsProvenInMoreDigits) {
+  int proven = 0;
+  for (const double decades : {6.0, 8.0, 9.0}) {
+    for (ExplorationProblem problem : family(decades)) {
+      const double bound = designExploration(problem).lower_bound;
+      problem.u_max = Eigen::VectorXd::Constant(1, 0.1 * bound);
+      const DesignResult result = designExploration(problem);
+      EXPECT_FALSE(result.feasible());
+      EXPECT_LE(result.lower_bound, bound * (1.0 + 1e-6)) << result.message;
+      proven += result.status == DesignStatus::kInfeasible ? 1 : 0;
+    }
+  }
+  EXPECT_GE(proven, 6);
+}
+
 TEST(Growth, IsNamedWhereItHidesDirections) {
   const DesignResult result = designExploration(sixModes(1, 12.0));
   EXPECT_EQ(result.status, DesignStatus::kNotExciting);
