@@ -3,6 +3,7 @@
 tried on a tree that breaks it."""
 import os
 import re
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -36,13 +37,24 @@ MACHINE_PATH = re.compile(r"(?<![\w.}$)])/(?:home|root|work|Users|mnt|media)/[\w
 DEPENDENCY_TAGS = ("depend", "build_depend", "build_export_depend", "exec_depend", "run_depend", "test_depend")
 
 
+def tracked(root):
+    """What git knows of; None where it cannot be asked. A log that somebody leaves in the tree is not ours."""
+    if not os.path.exists(os.path.join(root, ".git")):
+        return None
+    answer = subprocess.run(["git", "-C", root, "ls-files", "-z"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    return set(os.fsdecode(answer.stdout).split("\0")) if answer.returncode == 0 else None
+
+
 def files(root, suffixes=None):
     """Paths below root, relative to it, of the text we wrote."""
+    known = tracked(root)
     for folder, folders, names in os.walk(root):
         folders[:] = sorted(d for d in folders if d not in GENERATED and not os.path.islink(os.path.join(folder, d)))
         for name in sorted(names):
             path = os.path.join(folder, name)
-            if name not in GENERATED and not os.path.islink(path) and (suffixes is None or name.endswith(suffixes)):
+            if name in GENERATED or os.path.islink(path) or not (suffixes is None or name.endswith(suffixes)):
+                continue
+            if known is None or os.path.relpath(path, root) in known:
                 yield os.path.relpath(path, root)
 
 
@@ -249,6 +261,17 @@ class EachRuleCatches(unittest.TestCase):
     def test_env_python(self):
         self.check(env_python, {"scripts/a": "#!/usr/bin/python3\n", "b.sh": "#!/usr/bin/env bash\n"},
                    {"scripts/a": "#!/usr/bin/env " + "python3\n", "b": "#! /usr/bin/env " + "python\n"})
+
+    def test_what_git_does_not_know_is_left_alone(self):
+        with tempfile.TemporaryDirectory() as root:
+            for name in ("ours.md", "make.log"):
+                with open(os.path.join(root, name), "w") as file:
+                    file.write("see /" + "home/somebody/x\n")
+            self.assertEqual(len(list(machine_paths(root))), 2)
+            for words in (["init", "-q"], ["add", "ours.md"]):
+                subprocess.run(["git", "-C", root] + words, check=True)
+            self.assertEqual(list(files(root)), ["ours.md"])
+            self.assertEqual(len(list(machine_paths(root))), 1)
 
     def test_machine_paths(self):
         self.check(machine_paths, {"a.md": "see ~/x, ${X}/root/x, http://a.b/home/x, /usr/bin, results/work/x"},
