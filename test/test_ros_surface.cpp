@@ -31,6 +31,7 @@
 
 #include "quad_sim/simulation_config.hpp"
 #include "quad_sim_ros/conversions.hpp"
+#include "quad_sim_ros/persistent_call.hpp"
 
 namespace {
 
@@ -81,7 +82,7 @@ class Surface : public testing::Test {
   }
   bool empty(const std::string& service) {
     std_srvs::Empty call;
-    return ros::service::call(service, call);
+    return quad_sim::persistentCall(service, call);
   }
   void send(const std::string& bee, const ros::Time& stamp, const std::vector<double>& speeds) {
     mav_msgs::Actuators message;
@@ -96,7 +97,7 @@ class Surface : public testing::Test {
     s.request.command_stamp = stamp;
     s.request.wait_for = std::move(wait_for);
     s.request.timeout = timeout;
-    EXPECT_TRUE(ros::service::call("/gazebo/step", s));
+    EXPECT_TRUE(quad_sim::persistentCall("/gazebo/step", s));
     return s.response;
   }
   gazebo_msgs::GetModelState::Response modelState(const std::string& name,
@@ -104,26 +105,26 @@ class Surface : public testing::Test {
     gazebo_msgs::GetModelState get;
     get.request.model_name = name;
     get.request.relative_entity_name = relative;
-    EXPECT_TRUE(ros::service::call("/gazebo/get_model_state", get));
+    EXPECT_TRUE(quad_sim::persistentCall("/gazebo/get_model_state", get));
     return get.response;
   }
   quad_sim::CommandReport::Response report(const std::string& bee) {
     quad_sim::CommandReport call;
     call.request.model_name = bee;
-    EXPECT_TRUE(ros::service::call("/gazebo/command_report", call));
+    EXPECT_TRUE(quad_sim::persistentCall("/gazebo/command_report", call));
     EXPECT_TRUE(call.response.success) << call.response.message;
     return call.response;
   }
   std::string save() {
     quad_sim::SaveState call;
-    EXPECT_TRUE(ros::service::call("/gazebo/save_state", call));
+    EXPECT_TRUE(quad_sim::persistentCall("/gazebo/save_state", call));
     EXPECT_TRUE(call.response.success);
     return call.response.state;
   }
   quad_sim::RestoreState::Response restore(const std::string& state) {
     quad_sim::RestoreState call;
     call.request.state = state;
-    EXPECT_TRUE(ros::service::call("/gazebo/restore_state", call));
+    EXPECT_TRUE(quad_sim::persistentCall("/gazebo/restore_state", call));
     return call.response;
   }
   /// Lock-step flight of both; `from` picks the commands.
@@ -271,10 +272,10 @@ TEST_F(Surface, PhysicsPropertiesAreSetAndGot) {
   set.request.time_step = 0.002;
   set.request.max_update_rate = 1000;
   set.request.gravity.z = -3;
-  ASSERT_TRUE(ros::service::call("/gazebo/set_physics_properties", set));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/set_physics_properties", set));
   ASSERT_TRUE(set.response.success) << set.response.status_message;
   gazebo_msgs::GetPhysicsProperties get;
-  ASSERT_TRUE(ros::service::call("/gazebo/get_physics_properties", get));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/get_physics_properties", get));
   EXPECT_EQ(get.response.time_step, 0.002);
   EXPECT_EQ(get.response.gravity.z, -3);
   EXPECT_NEAR(get.response.max_update_rate, 1000, 1e-9);
@@ -286,7 +287,7 @@ TEST_F(Surface, PhysicsPropertiesAreSetAndGot) {
     set.request.max_update_rate = rate;
     set.request.gravity.x = gx;
     set.request.gravity.z = gz;
-    EXPECT_TRUE(ros::service::call("/gazebo/set_physics_properties", set));
+    EXPECT_TRUE(quad_sim::persistentCall("/gazebo/set_physics_properties", set));
     EXPECT_FALSE(set.response.success);
     return set.response.status_message;
   };
@@ -300,7 +301,7 @@ TEST_F(Surface, PhysicsPropertiesAreSetAndGot) {
   set.request.max_update_rate = 1000;
   set.request.gravity.x = 0;
   set.request.gravity.z = -9.8;
-  ASSERT_TRUE(ros::service::call("/gazebo/set_physics_properties", set));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/set_physics_properties", set));
   EXPECT_TRUE(set.response.success) << set.response.status_message;
 }
 
@@ -349,18 +350,18 @@ TEST_F(Surface, AVehicleIsSeenAndSetRelativeToAnother) {
   set.request.model_state.pose.position.x = 3;
   set.request.model_state.pose.orientation.w = 1;
   set.request.model_state.twist.linear.x = 1;
-  ASSERT_TRUE(ros::service::call("/gazebo/set_model_state", set));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/set_model_state", set));
   ASSERT_TRUE(set.response.success) << set.response.status_message;
   const auto now = modelState("bee1");
   EXPECT_NEAR(now.pose.position.x, 2, 1e-12);
   EXPECT_NEAR(now.pose.position.y, 4, 1e-12);
   EXPECT_NEAR(now.twist.linear.y, 1, 1e-12);
   set.request.model_state.pose.orientation.w = 0;
-  ASSERT_TRUE(ros::service::call("/gazebo/set_model_state", set));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/set_model_state", set));
   EXPECT_NE(set.response.status_message.find("orientation must not be zero"), std::string::npos);
   set.request.model_state.pose.orientation.w = 1;
   set.request.model_state.pose.position.x = std::nan("");
-  ASSERT_TRUE(ros::service::call("/gazebo/set_model_state", set));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/set_model_state", set));
   EXPECT_FALSE(set.response.success);
   EXPECT_NE(modelState("wasp").status_message.find(
                 "no model 'wasp'; in the world there is 'bee1', 'bee2'"),

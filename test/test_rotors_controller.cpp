@@ -14,6 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include "quad_sim_ros/persistent_call.hpp"
+
 namespace {
 
 using quad_sim::Step;
@@ -62,7 +64,7 @@ class RotorsController : public testing::Test {
   void onMotors(const mav_msgs::Actuators&) { ++commands_; }
   void call(const std::string& service) {
     std_srvs::Empty empty;
-    ASSERT_TRUE(ros::service::call(service, empty)) << service;
+    ASSERT_TRUE(quad_sim::persistentCall(service, empty)) << service;
   }
   void goTo(double x, double y, double z, double yaw) {
     trajectory_msgs::MultiDOFJointTrajectory message;
@@ -134,7 +136,7 @@ TEST_F(RotorsController, FliesTheSameInLockstep) {
   goTo(0, 0, 1, 0);
   Step first;  // until the controller, too, has heard: its answer to the first odometry is no
                // longer zero
-  ASSERT_TRUE(ros::service::call("/gazebo/step", first));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/step", first));
   stamp_ = first.response.odometry.header.stamp;
   Step::Response now = lockstep(25);
   EXPECT_NEAR(now.odometry.pose.pose.position.z, 1 + kSag, 0.001);

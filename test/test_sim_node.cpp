@@ -22,6 +22,7 @@
 
 #include "quad_sim/simulation_config.hpp"
 #include "quad_sim_ros/conversions.hpp"
+#include "quad_sim_ros/persistent_call.hpp"
 
 namespace {
 
@@ -66,7 +67,7 @@ class SimNode : public testing::Test {
   }
   bool call(const std::string& service) {
     std_srvs::Empty empty;
-    return ros::service::call(service, empty);
+    return quad_sim::persistentCall(service, empty);
   }
   void send(const ros::Time& stamp, const std::vector<double>& speeds) {
     mav_msgs::Actuators message;
@@ -81,7 +82,7 @@ class SimNode : public testing::Test {
     s.request.hold_steps = hold;
     s.request.command_stamp = stamp;
     s.request.timeout = timeout;
-    EXPECT_TRUE(ros::service::call("/gazebo/step", s));
+    EXPECT_TRUE(quad_sim::persistentCall("/gazebo/step", s));
     return s.response;
   }
   /// A rough flight of `intervals` intervals in lock-step; the odometry after each.
@@ -245,7 +246,7 @@ TEST_F(SimNode, RunsByTheWallClockUntilPaused) {
   EXPECT_NE(refused.message.find("running"), std::string::npos);
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   ASSERT_TRUE(call("/gazebo/pause_physics"));
-  ASSERT_TRUE(ros::service::call("/gazebo/get_world_properties", world));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/get_world_properties", world));
   // Half a second of wall time; a busy machine gives more, and less if it could not keep up.
   EXPECT_GT(world.response.sim_time, 0.25);
   EXPECT_LT(world.response.sim_time, 5.0);
@@ -266,11 +267,11 @@ TEST_F(SimNode, ModelStateIsSetAndGot) {
       std::sqrt(0.5);
   set.request.model_state.twist.linear.x = 2;
   set.request.model_state.twist.angular.z = 0.5;
-  ASSERT_TRUE(ros::service::call("/gazebo/set_model_state", set));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/set_model_state", set));
   EXPECT_TRUE(set.response.success) << set.response.status_message;
   gazebo_msgs::GetModelState get;
   get.request.model_name = "hummingbird";
-  ASSERT_TRUE(ros::service::call("/gazebo/get_model_state", get));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/get_model_state", get));
   ASSERT_TRUE(get.response.success);
   EXPECT_NEAR(get.response.pose.position.x, 1, 1e-12);
   EXPECT_NEAR(get.response.pose.position.z, 7, 1e-12);
@@ -279,20 +280,20 @@ TEST_F(SimNode, ModelStateIsSetAndGot) {
   EXPECT_NEAR(step(0).odometry.twist.twist.linear.y, -2, 1e-12)
       << "the odometry's twist is in body axes";
   get.request.model_name = set.request.model_state.model_name = "nobody";
-  ASSERT_TRUE(ros::service::call("/gazebo/get_model_state", get));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/get_model_state", get));
   EXPECT_FALSE(get.response.success);
-  ASSERT_TRUE(ros::service::call("/gazebo/set_model_state", set));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/set_model_state", set));
   EXPECT_FALSE(set.response.success);
 }
 
 TEST_F(SimNode, PropertiesAreThoseOfTheConfiguration) {
   gazebo_msgs::GetPhysicsProperties physics;
-  ASSERT_TRUE(ros::service::call("/gazebo/get_physics_properties", physics));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/get_physics_properties", physics));
   EXPECT_EQ(physics.response.time_step, 0.001);
   EXPECT_TRUE(physics.response.pause);
   EXPECT_EQ(physics.response.gravity.z, -9.8);
   gazebo_msgs::GetWorldProperties world;
-  ASSERT_TRUE(ros::service::call("/gazebo/get_world_properties", world));
+  ASSERT_TRUE(quad_sim::persistentCall("/gazebo/get_world_properties", world));
   EXPECT_EQ(world.response.model_names, (std::vector<std::string>{"ground_plane", "hummingbird"}));
 }
 

@@ -20,6 +20,7 @@
 #include "quad_control/TimingReport.h"
 #include "quad_sim/simulation_config.hpp"
 #include "quad_sim/simulator.hpp"
+#include "quad_sim_ros/persistent_call.hpp"
 
 namespace quad_control {
 namespace {
@@ -34,7 +35,7 @@ template <class Service>
 typename Service::Response call(const std::string& name, const typename Service::Request& request) {
   Service service;
   service.request = request;
-  EXPECT_TRUE(ros::service::call("/hummingbird/" + name, service)) << name;
+  EXPECT_TRUE(quad_sim::persistentCall("/hummingbird/" + name, service)) << name;
   return service.response;
 }
 

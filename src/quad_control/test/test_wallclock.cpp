@@ -10,13 +10,14 @@
 #include "quad_control/Advance.h"
 #include "quad_control/Begin.h"
 #include "quad_control/TimingReport.h"
+#include "quad_sim_ros/persistent_call.hpp"
 
 namespace quad_control {
 namespace {
 
 template <class Service>
 bool call(const std::string& name, Service& service) {
-  return ros::service::call("/hummingbird/" + name, service);
+  return quad_sim::persistentCall("/hummingbird/" + name, service);
 }
 
 TEST(Wallclock, IntervalsComeOutAsAsked) {

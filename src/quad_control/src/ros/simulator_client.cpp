@@ -7,11 +7,13 @@
 #include <utility>
 
 #include "conversions.hpp"
+#include "quad_sim_ros/persistent_call.hpp"
 #include "quad_support/errors.hpp"
 
 namespace quad_control {
 namespace {
 
+using quad_sim::persistentCall;
 using quad_support::EnvironmentError;
 
 constexpr char kStep[] = "/gazebo/step";
@@ -21,14 +23,11 @@ constexpr char kStep[] = "/gazebo/step";
       service + " does not answer: the simulator is gone or was never started (quad_sim_node)");
 }
 
-// Persistent: a new connection costs ten times the call.
+// Once more on a new connection; only for what is the same twice as once.
 template <class Service>
-bool tryOnce(ros::NodeHandle& handle, ros::ServiceClient& client, const std::string& name,
-             Service& call) {
-  if (!client.isValid()) client = handle.serviceClient<Service>(name, /*persistent=*/true);
-  if (client.isValid() && client.call(call)) return true;
-  client.shutdown();
-  return false;
+void insist(ros::ServiceClient& client, const std::string& name, Service& call) {
+  if (!persistentCall(client, name, call) && !persistentCall(client, name, call))
+    failUnreachable(name);
 }
 
 }  // namespace
@@ -44,18 +43,15 @@ void SimulatorClient::waitUntilThere(double timeout) {
 }
 
 void SimulatorClient::callEmpty(ros::ServiceClient& client, const std::string& name) {
-  std_srvs::Empty call;  // pausing or resetting twice is the same as once
-  if (!tryOnce(handle_, client, name, call) && !tryOnce(handle_, client, name, call))
-    failUnreachable(name);
+  std_srvs::Empty call;
+  insist(client, name, call);
 }
 
 bool SimulatorClient::restoreStart() {
   if (start_.empty()) return false;
   quad_sim::RestoreState call;
   call.request.state = start_;
-  const std::string name = "/gazebo/restore_state";  // twice is the same as once
-  if (!tryOnce(handle_, restore_, name, call) && !tryOnce(handle_, restore_, name, call))
-    failUnreachable(name);
+  insist(restore_, "/gazebo/restore_state", call);
   return call.response.success;  // refused: somebody has changed the physics or the vehicles
 }
 
@@ -63,14 +59,12 @@ void SimulatorClient::startAfresh() {
   callEmpty(reset_, "/gazebo/reset_simulation");
   if (restoreStart()) return;
   quad_sim::SaveState call;
-  const std::string name = "/gazebo/save_state";
-  if (!tryOnce(handle_, save_, name, call) && !tryOnce(handle_, save_, name, call))
-    failUnreachable(name);
+  insist(save_, "/gazebo/save_state", call);
   start_ = call.response.state;
 }
 
 bool SimulatorClient::tryStep(quad_sim::Step& call) {
-  if (!tryOnce(handle_, step_, kStep, call)) return false;
+  if (!persistentCall(step_, kStep, call)) return false;
   if (!call.response.success)
     throw EnvironmentError(std::string(kStep) + ": " + call.response.message);
   return true;

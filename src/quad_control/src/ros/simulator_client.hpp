@@ -14,8 +14,6 @@ namespace quad_control {
 /// refuses.
 class SimulatorClient {
  public:
-  explicit SimulatorClient(const ros::NodeHandle& handle) : handle_(handle) {}
-
   /// Waits until /gazebo/step is offered, at most `timeout` [s] of wall time.
   void waitUntilThere(double timeout);
   void pause() { callEmpty(pause_, "/gazebo/pause_physics"); }
@@ -35,7 +33,6 @@ class SimulatorClient {
   void callEmpty(ros::ServiceClient& client, const std::string& name);
   bool tryStep(quad_sim::Step& call);
 
-  ros::NodeHandle handle_;
   ros::ServiceClient pause_, unpause_, reset_, save_, restore_, step_;
   std::string start_;  ///< saved state after the first reset
 };

@@ -35,11 +35,7 @@ double positive(double timeout) {
 class TimeManagerNode {
  public:
   TimeManagerNode(const TimingConfig& timing, double step)
-      : timing_(timing),
-        step_(step),
-        private_handle_("~"),
-        simulator_(ros::NodeHandle()),
-        manager_(timing.forgetting_factor) {
+      : timing_(timing), step_(step), private_handle_("~"), manager_(timing.forgetting_factor) {
     begin_srv_ = private_handle_.advertiseService("begin", &TimeManagerNode::begin, this);
     advance_srv_ = private_handle_.advertiseService("advance", &TimeManagerNode::advance, this);
     end_srv_ = private_handle_.advertiseService("end", &TimeManagerNode::end, this);

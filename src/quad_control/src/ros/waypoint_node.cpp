@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "conversions.hpp"
+#include "quad_sim_ros/persistent_call.hpp"
 #include "quad_support/atomic_file.hpp"
 #include "quad_support/errors.hpp"
 #include "quad_support/interrupt.hpp"
@@ -36,7 +37,7 @@ class WaypointNode {
       wait();
     trajectory_pub_.publish(toMsg(waypoints_));
     std_srvs::Empty unpause;
-    while (!ros::service::call("/gazebo/unpause_physics", unpause)) wait();
+    while (!quad_sim::persistentCall("/gazebo/unpause_physics", unpause)) wait();
     while (next_ < waypoints_.size()) wait();
     fmt::print("{} of {} waypoints reached within {} m\n", reached_, waypoints_.size(), within_);
     std::fflush(stdout);
