@@ -32,22 +32,6 @@ std::vector<Entry> freeEntries(const MatrixXd& known) {
   return entries;
 }
 
-/// Rows of (φ_kᵀ ⊗ I) E for all k, columns divided by `scales`.
-Sparse regressor(const MatrixXd& phi, Index nx, const std::vector<Entry>& entries,
-                 const VectorXd& scales) {
-  std::vector<Eigen::Triplet<double>> triplets;
-  for (std::size_t e = 0; e < entries.size(); ++e) {
-    const auto column = static_cast<Index>(e);
-    for (Index k = 0; k < phi.cols(); ++k) {
-      triplets.emplace_back(k * nx + entries[e].row, column,
-                            phi(entries[e].column, k) / scales(column));
-    }
-  }
-  Sparse matrix(phi.cols() * nx, static_cast<Index>(entries.size()));
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
-  return matrix;
-}
-
 VectorXd columnScales(const MatrixXd& phi, const std::vector<Entry>& entries) {
   const VectorXd of_regressors = exactScales(phi.transpose());
   VectorXd scales(static_cast<Index>(entries.size()));
@@ -62,6 +46,47 @@ std::vector<std::vector<Index>> groupByRow(const std::vector<Entry>& entries, In
   for (std::size_t e = 0; e < entries.size(); ++e)
     groups[static_cast<std::size_t>(entries[e].row)].push_back(static_cast<Index>(e));
   return groups;
+}
+
+/// The equations x_{k+1} - (φ_kᵀ ⊗ I) c = (φ_kᵀ ⊗ I) E ϑ.
+struct Regression {
+  MatrixXd phi;     // φ_k = (x_k, u_k), n_φ x T
+  MatrixXd target;  // left-hand sides, n_x x T
+  VectorXd scales;  // of the columns, powers of two, one for each free entry
+  std::vector<std::vector<Index>> groups;
+};
+
+/// Checks the data, and begins the fit: its free entries, and in Theta the known ones (c).
+Regression regression(const MatrixXd& X, const MatrixXd& U, const MatrixXd& known,
+                      StructuredFit& fit) {
+  requireTrajectory(X, U);
+  const Index nx = X.rows(), T = U.cols();
+  requireShape(known, nx, nx + U.rows(), "known [A B]");
+  fit.free = freeEntries(known);
+  require(!fit.free.empty(), "every entry of [A B] is known; mark those to estimate with null");
+  fit.Theta = known.unaryExpr([](double v) { return std::isnan(v) ? 0.0 : v; });
+  Regression r;
+  r.phi.resize(nx + U.rows(), T);
+  r.phi << X.leftCols(T), U;
+  r.target = X.rightCols(T) - fit.Theta * r.phi;
+  r.scales = columnScales(r.phi, fit.free);
+  r.groups = groupByRow(fit.free, nx);
+  return r;
+}
+
+/// Rows of (φ_kᵀ ⊗ I) E for all k, columns divided by their scales.
+Sparse sparseRegressor(const Regression& r, Index nx, const std::vector<Entry>& free) {
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (std::size_t e = 0; e < free.size(); ++e) {
+    const auto column = static_cast<Index>(e);
+    for (Index k = 0; k < r.phi.cols(); ++k) {
+      triplets.emplace_back(k * nx + free[e].row, column,
+                            r.phi(free[e].column, k) / r.scales(column));
+    }
+  }
+  Sparse matrix(r.phi.cols() * nx, static_cast<Index>(free.size()));
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  return matrix;
 }
 
 MatrixXd pick(const MatrixXd& m, const std::vector<Index>& columns) {
@@ -89,6 +114,7 @@ VectorXd singularValuesOf(const MatrixXd& root, const std::vector<std::vector<In
   return Eigen::Map<const VectorXd>(all.data(), static_cast<Index>(all.size()));
 }
 
+/// Singular values, condition and verdict, of the root of the regressor with scaled columns.
 void judgeExcitation(const MatrixXd& scaled_root, const std::vector<std::vector<Index>>& groups,
                      StructuredFit& fit) {
   fit.singular_values = singularValuesOf(scaled_root, groups);
@@ -104,116 +130,99 @@ MatrixXd rootOf(const Eigen::SPQR<Sparse>& qr, Index n) {
   return quad_support::triangularFactor(root);
 }
 
-/// Corrects the entries of one row of Θ and puts them there. @returns the row's residual energy
-double refineRow(const VectorXd& target, const MatrixXd& phi, const std::vector<Index>& group,
-                 const MatrixXd& scaled_root, const VectorXd& scales, const VectorXd& solution,
-                 StructuredFit& fit) {
-  if (group.empty()) return target.squaredNorm();
-  const auto n = static_cast<Index>(group.size());
-  MatrixXd A(phi.cols(), n);
-  VectorXd start(n);
-  for (Index j = 0; j < n; ++j) {
-    const Index e = group[static_cast<std::size_t>(j)];
-    A.col(j) = phi.row(fit.free[static_cast<std::size_t>(e)].column).transpose() / scales(e);
-    start(j) = solution(e);
+/// Scaled regressors of one row of Θ, T x the number of its free entries.
+MatrixXd regressorOfRow(const Regression& r, const std::vector<Index>& group,
+                        const std::vector<Entry>& free) {
+  MatrixXd A(r.phi.cols(), static_cast<Index>(group.size()));
+  for (std::size_t j = 0; j < group.size(); ++j) {
+    const int column = free[static_cast<std::size_t>(group[j])].column;
+    A.col(static_cast<Index>(j)) = r.phi.row(column).transpose() / r.scales(group[j]);
   }
-  const MatrixXd R = quad_support::triangularFactor(pick(scaled_root, group));
-  const RefinedSolution refined = refine(A, target, R, start);
-  for (Index j = 0; j < n; ++j) {
-    const Index e = group[static_cast<std::size_t>(j)];
-    const Entry at = fit.free[static_cast<std::size_t>(e)];
-    fit.Theta(at.row, at.column) = refined.solution(j, 0) / scales(e);
-  }
-  return refined.residual.squaredNorm();
+  return A;
 }
 
-/// One row of the open fit: smallest of all minimisers, triangle and residual.
-void openRow(const VectorXd& target, const MatrixXd& phi, const std::vector<Index>& group,
-             const VectorXd& scales, StructuredFit& fit) {
+/// Puts the scaled entries of one row of Θ where they belong.
+void putRow(const Regression& r, const std::vector<Index>& group, const VectorXd& solution,
+            StructuredFit& fit) {
+  for (std::size_t j = 0; j < group.size(); ++j) {
+    const Entry at = fit.free[static_cast<std::size_t>(group[j])];
+    fit.Theta(at.row, at.column) = solution(static_cast<Index>(j)) / r.scales(group[j]);
+  }
+}
+
+/// Corrects the entries of row i of Θ, puts them there and adds the row's residual energy.
+void refineRow(const Regression& r, Index i, const MatrixXd& scaled_root, const VectorXd& solution,
+               StructuredFit& fit) {
+  const std::vector<Index>& group = r.groups[static_cast<std::size_t>(i)];
+  const VectorXd target = r.target.row(i).transpose();
   if (group.empty()) {
     fit.residual_energy += target.squaredNorm();
     return;
   }
-  const auto n = static_cast<Index>(group.size());
-  const Index T = phi.cols();
-  MatrixXd A = MatrixXd::Zero(std::max(T, n), n);
-  for (Index j = 0; j < n; ++j) {
-    const Index e = group[static_cast<std::size_t>(j)];
-    A.col(j).head(T) = phi.row(fit.free[static_cast<std::size_t>(e)].column) / scales(e);
+  const MatrixXd R = quad_support::triangularFactor(pick(scaled_root, group));
+  const RefinedSolution refined =
+      refine(regressorOfRow(r, group, fit.free), target, R, solution(group));
+  putRow(r, group, refined.solution, fit);
+  fit.residual_energy += refined.residual.squaredNorm();
+}
+
+/// Row i of the open fit: smallest of all minimisers, triangle and residual.
+void openRow(const Regression& r, Index i, StructuredFit& fit) {
+  const std::vector<Index>& group = r.groups[static_cast<std::size_t>(i)];
+  const VectorXd target = r.target.row(i).transpose();
+  if (group.empty()) {
+    fit.residual_energy += target.squaredNorm();
+    return;
   }
+  const MatrixXd A = regressorOfRow(r, group, fit.free);
+  const Index n = A.cols();
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
   decomposition.setThreshold(1.0 / kLargestCondition);
-  decomposition.compute(A.topRows(T));
+  decomposition.compute(A);
   const VectorXd solution = decomposition.solve(target);
-  const MatrixXd R = quad_support::triangularFactor(A);
-  for (Index j = 0; j < n; ++j) {
-    const Index e = group[static_cast<std::size_t>(j)];
-    const Entry at = fit.free[static_cast<std::size_t>(e)];
-    fit.Theta(at.row, at.column) = solution(j) / scales(e);
-    for (Index i = 0; i < n; ++i) fit.root(group[static_cast<std::size_t>(i)], e) = R(i, j);
-  }
-  fit.residual_energy += (target - A.topRows(T) * solution).squaredNorm();
+  MatrixXd tall = MatrixXd::Zero(std::max(A.rows(), n), n);  // with fewer samples than entries, too
+  tall.topRows(A.rows()) = A;
+  fit.root(group, group) = quad_support::triangularFactor(tall);
+  putRow(r, group, solution, fit);
+  fit.residual_energy += (target - A * solution).squaredNorm();
 }
 
 }  // namespace
 
 StructuredFit openStructuredFit(const MatrixXd& X, const MatrixXd& U, const MatrixXd& known) {
-  requireTrajectory(X, U);
-  const Index nx = X.rows(), T = U.cols();
-  requireShape(known, nx, nx + U.rows(), "known [A B]");
   StructuredFit fit;
-  fit.free = freeEntries(known);
+  const Regression r = regression(X, U, known, fit);
   const auto n = static_cast<Index>(fit.free.size());
-  require(n > 0, "every entry of [A B] is known; mark those to estimate with null");
-
-  MatrixXd phi(nx + U.rows(), T);
-  phi << X.leftCols(T), U;
-  const VectorXd scales = columnScales(phi, fit.free);
-  fit.Theta = known.unaryExpr([](double v) { return std::isnan(v) ? 0.0 : v; });
   fit.root = MatrixXd::Zero(n, n);
-  const MatrixXd target = X.rightCols(T) - fit.Theta * phi;
-  const auto groups = groupByRow(fit.free, nx);
-  for (Index i = 0; i < nx; ++i)
-    openRow(target.row(i).transpose(), phi, groups[static_cast<std::size_t>(i)], scales, fit);
-  judgeExcitation(fit.root, groups, fit);
-  fit.root = fit.root * scales.asDiagonal();
+  for (Index i = 0; i < X.rows(); ++i) openRow(r, i, fit);
+  judgeExcitation(fit.root, r.groups, fit);
+  fit.root = fit.root * r.scales.asDiagonal();
   fit.information = fit.root.transpose() * fit.root;
   return fit;
 }
 
 StructuredFit fitStructured(const MatrixXd& X, const MatrixXd& U, const MatrixXd& known) {
-  requireTrajectory(X, U);
-  const Index nx = X.rows(), T = U.cols();
-  requireShape(known, nx, nx + U.rows(), "known [A B]");
   StructuredFit fit;
-  fit.free = freeEntries(known);
+  const Regression r = regression(X, U, known, fit);
+  const Index nx = X.rows(), T = U.cols();
   const auto n = static_cast<Index>(fit.free.size());
-  require(n > 0, "every entry of [A B] is known; mark those to estimate with null");
   require(T * nx >= n, "{} equations for {} unknown entries; more samples are needed", T * nx, n);
 
-  MatrixXd phi(nx + U.rows(), T);
-  phi << X.leftCols(T), U;
-  const VectorXd scales = columnScales(phi, fit.free);
-  Sparse matrix = regressor(phi, nx, fit.free, scales);
+  Sparse matrix = sparseRegressor(r, nx, fit.free);
   matrix.makeCompressed();
   const Eigen::SPQR<Sparse> qr(matrix);
   require(qr.info() == Eigen::Success, "sparse QR failed");
   const MatrixXd scaled_root = rootOf(qr, n);
-  const auto groups = groupByRow(fit.free, nx);
-  judgeExcitation(scaled_root, groups, fit);
-  fit.root = scaled_root * scales.asDiagonal();
+  judgeExcitation(scaled_root, r.groups, fit);
+  fit.root = scaled_root * r.scales.asDiagonal();
   fit.information = fit.root.transpose() * fit.root;
-  if (!fit.exciting) return fit;
-
-  fit.Theta = known.unaryExpr([](double v) { return std::isnan(v) ? 0.0 : v; });
-  const MatrixXd target = X.rightCols(T) - fit.Theta * phi;  // x_{k+1} - (φ_kᵀ ⊗ I) c
-  const VectorXd solution =
-      qr.solve(VectorXd(Eigen::Map<const VectorXd>(target.data(), target.size())));
-  for (Index i = 0; i < nx; ++i) {
-    const auto& group = groups[static_cast<std::size_t>(i)];
-    fit.residual_energy +=
-        refineRow(target.row(i).transpose(), phi, group, scaled_root, scales, solution, fit);
+  if (!fit.exciting) {
+    fit.Theta.resize(0, 0);
+    return fit;
   }
+  const VectorXd solution =
+      qr.solve(VectorXd(Eigen::Map<const VectorXd>(r.target.data(), r.target.size())));
+  for (Index i = 0; i < nx; ++i) refineRow(r, i, scaled_root, solution, fit);
   return fit;
 }
 
