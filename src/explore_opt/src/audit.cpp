@@ -288,15 +288,11 @@ bool close(Real a, Real b, Real tolerance) {
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-/// What is only said twice must agree to what the bound itself is judged to. Products of roots in
-/// doubles are off by 1e-13 at most.
-constexpr Real kSaidTwice = 1e-6L;
-
 /// The same up to a positive factor: bounds do not depend on it.
 bool sameUpToScale(const Matrix& a, const Matrix& b) {
   const Real na = a.norm(), nb = b.norm();
   if (na == 0.0L || nb == 0.0L) return na == nb;
-  return (a / na - b / nb).norm() <= kSaidTwice;
+  return (a / na - b / nb).norm() <= AuditTolerance::kSaidTwice;
 }
 
 /// What is said beside the amplitudes and the bound: nothing of it is used, but a reader may.
@@ -309,7 +305,7 @@ void checkTheRest(const ExplorationProblem& problem, const DesignClaims& claims,
       fmt::format("the design has amplitudes for {} of them; the problem asks for {}", runs,
                   problem.experiments));
   if (claims.lambda_min) {
-    add("lambda_min", close(report.lambda_min, *claims.lambda_min, kSaidTwice),
+    add("lambda_min", close(report.lambda_min, *claims.lambda_min, AuditTolerance::kSaidTwice),
         fmt::format("{:.12g} of gamma_w D_des from the amplitudes; claimed {:.12g}",
                     report.lambda_min, *claims.lambda_min));
   }
@@ -369,24 +365,26 @@ AuditReport audit(const ExplorationProblem& problem, const DesignClaims& claims)
   const auto add = [&](const char* name, bool passed, const std::string& finding) {
     report.checks.push_back({name, passed, finding});
   };
-  add("feasible", report.lambda_min >= 1.0 - 1e-9,
+  add("feasible", report.lambda_min >= 1.0 - AuditTolerance::kInformation,
       fmt::format("the simulated information is {:.12g} of gamma_w D_des; must be 1 or above",
                   report.lambda_min));
-  add("cost", close(report.gamma_e, claims.gamma_e, 1e-9L),
+  add("cost", close(report.gamma_e, claims.gamma_e, AuditTolerance::kCost),
       fmt::format("gamma_e = {:.12g} from the amplitudes; claimed {:.12g}", report.gamma_e,
                   claims.gamma_e));
-  add("lower_bound", claims.lower_bound <= report.lower_bound * (1.0 + 1e-6),
+  add("lower_bound", claims.lower_bound <= report.lower_bound * (1.0 + AuditTolerance::kBound),
       fmt::format("the multiplier proves gamma_e >= {:.12g}; claimed {:.12g}", report.lower_bound,
                   claims.lower_bound));
   const double claimed_gap = (claims.gamma_e - claims.lower_bound) / claims.gamma_e;
-  add("gap", std::abs(claims.gap - claimed_gap) <= 1e-9 && claimed_gap >= -1e-9,
+  add("gap",
+      std::abs(claims.gap - claimed_gap) <= AuditTolerance::kGap &&
+          claimed_gap >= -AuditTolerance::kGap,
       fmt::format("(gamma_e - lower_bound)/gamma_e = {:.6g} of the claims; claimed {:.6g}",
                   claimed_gap, claims.gap));
   for (Index j = 0; j < problem.u_max.size(); ++j) {
     const bool norm = problem.u_max.size() == 1;
     const auto peak = static_cast<double>(s.largest_inputs(norm ? problem.numInputs() : j));
     report.peak_ratio = std::max(report.peak_ratio, peak / problem.u_max(j));
-    add("peak", peak <= problem.u_max(j) * (1.0 + 1e-6),
+    add("peak", peak <= problem.u_max(j) * (1.0 + AuditTolerance::kPeak),
         fmt::format("the largest {} is {:.9g}; u_max = {:.9g}",
                     norm ? std::string("||u_k||") : fmt::format("|u_{}|", j + 1), peak,
                     problem.u_max(j)));

@@ -7,6 +7,7 @@
 #include "checks.hpp"
 #include "constraint_shape.hpp"
 #include "design_tools.hpp"
+#include "explore_opt/audit.hpp"
 #include "grown_answer.hpp"
 #include "peak_limits.hpp"
 #include "quad_support/linear_algebra.hpp"
@@ -31,8 +32,6 @@ void validate(const DesignOptions& options) {
   requireFinite(options.initial_amplitudes, "initial amplitudes");
 }
 
-constexpr double kBelowBound = 1e-9;  // of the cost, for rounding; audit() grants as much
-
 /// Combinations a method does not solve are the caller's mistake.
 void validateFor(const ExplorationProblem& problem, const DesignOptions& options) {
   if (options.method == DesignMethod::kMm) {
@@ -56,13 +55,8 @@ void refuse(DesignResult& result, const std::string& why) {
   result.message = why;
 }
 
-void fill(const ExplorationProblem& problem, const DesignTask& single, const RawDesign& raw,
-          DesignResult& result) {
-  result.status = raw.status;
-  result.message = raw.message;
-  result.iterations = raw.iterations;
-  result.inner_gap = raw.inner_gap;
-  result.relaxation_rank = raw.rank;
+/// What is proven without amplitudes: the bound, and the multipliers that prove it.
+void fillBound(const ExplorationProblem& problem, const RawDesign& raw, DesignResult& result) {
   result.lower_bound = raw.certificate.bound;
   if (raw.certificate.root.size() > 0) {
     result.certificate = raw.certificate.root * raw.certificate.root.transpose();
@@ -74,10 +68,14 @@ void fill(const ExplorationProblem& problem, const DesignTask& single, const Raw
     const double value = raw.certificate.nu(k) / (peak.limit * peak.limit);
     if (value > 0.0) result.peak_multipliers.push_back({peak.sample, peak.input, value});
   }
-  if (raw.amplitudes.size() == 0) return;
+}
+
+/// The amplitudes, unless they miss the condition or the limit.
+void fillAmplitudes(const ExplorationProblem& problem, const DesignTask& single,
+                    const RawDesign& raw, DesignResult& result) {
   const DesignTask task = single.replicated(problem.experiments);
   const double lambda_min = task.response.lambdaMin(raw.amplitudes) / task.gamma_w;
-  if (!raw.amplitudes.allFinite() || !(lambda_min >= 1.0 - 1e-9)) {
+  if (!raw.amplitudes.allFinite() || !(lambda_min >= 1.0 - AuditTolerance::kInformation)) {
     return refuse(result, fmt::format("the amplitudes reach only {} of the required information",
                                       lambda_min));
   }
@@ -94,6 +92,17 @@ void fill(const ExplorationProblem& problem, const DesignTask& single, const Raw
   result.lambda_min = lambda_min;
 }
 
+void fill(const ExplorationProblem& problem, const DesignTask& single, const RawDesign& raw,
+          DesignResult& result) {
+  result.status = raw.status;
+  result.message = raw.message;
+  result.iterations = raw.iterations;
+  result.inner_gap = raw.inner_gap;
+  result.relaxation_rank = raw.rank;
+  fillBound(problem, raw, result);
+  if (raw.amplitudes.size() > 0) fillAmplitudes(problem, single, raw, result);
+}
+
 void withdraw(DesignResult& result, const std::string& why) {
   result.amplitudes.resize(0, 0);
   result.gamma_e = result.gap = result.lambda_min = result.peak =
@@ -108,7 +117,7 @@ void confirm(const ExplorationProblem& problem, const DesignOptions& options,
   if (growth > kGrowthAudited) {
     const std::string complaint = auditGrown(problem, options, growth, result);
     if (!complaint.empty()) withdraw(result, complaint);
-  } else if (result.feasible() && result.gap < -kBelowBound) {
+  } else if (result.feasible() && result.gap < -AuditTolerance::kGap) {
     withdraw(result, fmt::format("the amplitudes found cost {:.9g}, less than the bound {:.9g} "
                                  "proves possible: rounding has spoilt one of them. Shorten T",
                                  result.gamma_e, result.lower_bound));

@@ -12,11 +12,8 @@
 namespace explore_opt {
 namespace {
 
-// What is mended, and what audit() grants.
-constexpr double kShort = 1e-10, kShortGranted = 1e-9;  // of the information
-constexpr double kPeakGranted = 1e-6;
-constexpr double kBelowGranted = 1e-9, kBoundGranted = 1e-6;  // of the cost, of the bound
-constexpr double kRestated = 1e-6;                            // change of the gap worth a word
+constexpr double kShort = 1e-10;    // of the information: mended from here on
+constexpr double kRestated = 1e-6;  // change of the gap worth a word
 
 AuditReport audited(const ExplorationProblem& problem, const DesignResult& result,
                     const Eigen::MatrixXd& amplitudes) {
@@ -37,7 +34,7 @@ bool boundStands(const ExplorationProblem& problem, DesignResult& result) {
       Eigen::MatrixXd::Zero(numCarriers(problem.lines, problem.phase), problem.numInputs());
   const double claimed = result.lower_bound;
   result.lower_bound = std::min(claimed, audited(problem, result, none).lower_bound);
-  return claimed <= result.lower_bound * (1.0 + kBoundGranted);
+  return claimed <= result.lower_bound * (1.0 + AuditTolerance::kBound);
 }
 
 /// Says in status and message what the audit has changed.
@@ -60,8 +57,8 @@ std::string auditGrown(const ExplorationProblem& problem, const DesignOptions& o
                        double growth, DesignResult& result) {
   const auto complaint = [&](const char* what) {
     return fmt::format(
-        "the modes of {} grow {:.0e}-fold within T = {}, and {} not stand a "
-        "simulation in more digits. {}",
+        "the modes of {} grow {:.0e}-fold within T = {}, and {} not stand a simulation in more "
+        "digits. {}",
         dynamicsName(problem), growth, problem.lines.num_samples, what, growthRemedy(problem));
   };
   if (!result.feasible())
@@ -78,8 +75,9 @@ std::string auditGrown(const ExplorationProblem& problem, const DesignOptions& o
   result.lambda_min = report.lambda_min;
   result.gap = report.gamma_e > 0.0 ? 1.0 - result.lower_bound / report.gamma_e : 0.0;
   if (problem.u_max.size() > 0) result.peak = report.peak_ratio;
-  const bool stands = report.lambda_min >= 1.0 - kShortGranted &&
-                      report.peak_ratio <= 1.0 + kPeakGranted && result.gap >= -kBelowGranted;
+  const bool stands = report.lambda_min >= 1.0 - AuditTolerance::kInformation &&
+                      report.peak_ratio <= 1.0 + AuditTolerance::kPeak &&
+                      result.gap >= -AuditTolerance::kGap;
   if (!stands) return complaint("the amplitudes found do");
   restate(options, claimed, growth, result);
   return "";

@@ -1,6 +1,5 @@
 #include "explore_opt/set_membership.hpp"
 
-#include <limits>
 #include <unsupported/Eigen/KroneckerProduct>
 
 #include "checks.hpp"

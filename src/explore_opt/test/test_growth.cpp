@@ -11,6 +11,7 @@
 #include "explore_opt/design_json.hpp"
 #include "explore_opt/exploration_design.hpp"
 #include "explore_opt/predicted_response.hpp"
+#include "grown_answer.hpp"
 #include "quad_support/linear_algebra.hpp"
 #include "thesis_problem.hpp"
 
@@ -149,6 +150,16 @@ TEST(Growth, OfEveryKindOfProblem) {
   }
 }
 
+/// What the multiplier alone proves, in long double and by none of the solvers' code.
+double provenBound(const ExplorationProblem& problem, const DesignResult& result) {
+  DesignClaims claims;
+  claims.amplitudes = MatrixXd::Zero(numCarriers(problem.lines, problem.phase), 1);
+  claims.multiplier_root = result.multiplier_root;
+  for (const PeakMultiplier& peak : result.peak_multipliers)
+    claims.peak_multipliers.push_back({peak.sample, peak.input, peak.value});
+  return audit(problem, claims).lower_bound;
+}
+
 TEST(Growth, InfeasibleIsProvenInMoreDigits) {
   int proven = 0;
   for (const double decades : {6.0, 8.0, 9.0}) {
@@ -157,11 +168,47 @@ TEST(Growth, InfeasibleIsProvenInMoreDigits) {
       problem.u_max = Eigen::VectorXd::Constant(1, 0.1 * bound);
       const DesignResult result = designExploration(problem);
       EXPECT_FALSE(result.feasible());
-      EXPECT_LE(result.lower_bound, bound * (1.0 + 1e-6)) << result.message;
-      proven += result.status == DesignStatus::kInfeasible ? 1 : 0;
+      if (result.status != DesignStatus::kInfeasible) continue;
+      ++proven;
+      // Cosines at three lines on the grid: γ_e² = 2/T Σ u_k², so no input within the limit costs
+      // more than sqrt(2) u_max. What must cost more does not exist.
+      EXPECT_GT(provenBound(problem, result), std::sqrt(2.0) * problem.u_max(0));
     }
   }
   EXPECT_GE(proven, 6);
+}
+
+TEST(Growth, WhatDoesNotStandIsWithdrawn) {
+  const ExplorationProblem problem = family(9.0)[1];
+  const DesignOptions options;
+  const DesignResult design = designExploration(problem);
+  ASSERT_TRUE(design.feasible()) << design.message;
+
+  DesignResult silent = design;  // amplitudes that excite nothing cannot be scaled up
+  silent.amplitudes.setZero();
+  const std::string of_amplitudes = auditGrown(problem, options, 1e9, silent);
+  EXPECT_NE(of_amplitudes.find("the modes of A grow 1e+09-fold within T"), std::string::npos)
+      << of_amplitudes;
+  EXPECT_NE(of_amplitudes.find("the amplitudes found do not stand a simulation in more digits. "),
+            std::string::npos)
+      << of_amplitudes;
+  EXPECT_NE(of_amplitudes.find("Stabilise with K"), std::string::npos) << of_amplitudes;
+
+  // Short by 1e-4 of the information: scaled up to where it was. The scale has rounding in it,
+  // which growth raises from 1e-19 (long double) to 1e-10.
+  DesignResult weak = design;
+  weak.amplitudes *= 1.0 - 5e-5;
+  weak.gamma_e *= 1.0 - 5e-5;
+  EXPECT_EQ(auditGrown(problem, options, 1e9, weak), "");
+  EXPECT_NEAR(weak.gamma_e / design.gamma_e, 1.0, 1e-8);
+  EXPECT_GE(weak.lambda_min, 1.0 - 1e-9);
+
+  DesignResult boastful = design;  // a bound that its multiplier does not prove
+  boastful.amplitudes.resize(0, 0);
+  boastful.lower_bound *= 1.01;
+  const std::string of_bound = auditGrown(problem, options, 1e9, boastful);
+  EXPECT_NE(of_bound.find("the bound found does not stand"), std::string::npos) << of_bound;
+  EXPECT_NEAR(boastful.lower_bound / design.lower_bound, 1.0, 1e-6);
 }
 
 TEST(Growth, IsNamedWhereItHidesDirections) {

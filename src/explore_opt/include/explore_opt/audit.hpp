@@ -45,6 +45,18 @@ struct AuditReport {
   bool passed() const;
 };
 
+/// What audit() grants, each relative to what is judged.
+struct AuditTolerance {
+  static constexpr double kInformation = 1e-9;
+  static constexpr double kCost = 1e-9;
+  static constexpr double kGap = 1e-9;
+  static constexpr double kBound = 1e-6;
+  static constexpr double kPeak = 1e-6;
+  /// What is only said twice must agree to what the bound itself is judged to. Products of roots in
+  /// doubles are off by 1e-13 at most.
+  static constexpr double kSaidTwice = 1e-6;
+};
+
 /// Recomputes everything by sample-by-sample simulation in long double and one eigenvalue problem
 /// each for feasibility and bound. No code is shared with the solvers, nothing they say is
 /// believed:
