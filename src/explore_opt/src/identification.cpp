@@ -230,44 +230,44 @@ Identification identify(const std::vector<DataSet>& data, const IdentificationRe
   return out;
 }
 
-std::string complaint(const Identification& v) {
-  if (!v.exciting && v.data_sets.size() > 1) {
+namespace {
+
+std::string notDetermined(const Identification& v) {
+  if (v.data_sets.size() > 1) {
     return fmt::format(
         "the {} data sets do not determine {}, not even together; excite what each leaves open",
         v.data_sets.size(), v.free.empty() ? "[A B]" : "the unknown entries");
   }
+  const Estimate& e = v.data_sets.front();
+  return fmt::format(
+      "{}: the data do not determine [A B]: condition {:.3g} of the scaled regressor, smallest "
+      "singular value {:.3g}; excite more",
+      e.name, e.condition, e.singular_values.tail(1)(0));
+}
+
+std::string falsifiedBy(const Identification& v) {
+  const bool alone = v.data_sets.size() == 1;
   for (const Estimate& e : v.data_sets) {
-    if (e.exciting || v.exciting) continue;
-    return fmt::format(
-        "{}: the data do not determine [A B]: condition {:.3g} of the scaled regressor, smallest "
-        "singular value {:.3g}; excite more",
-        e.name, e.condition, e.singular_values.tail(1)(0));
-  }
-  for (const Estimate& e : v.data_sets) {
-    if (v.data_sets.size() == 1 || !v.exciting || !e.set.falsified()) continue;
+    if (alone || !e.set.falsified()) continue;
     return fmt::format(
         "{}: gamma_w = {} is smaller than the residual energy, so G = {:.6g} < 0 and no parameter "
         "fits this data set (Eq. 1.8). Raise its --gamma-w or look at the data",
         e.name, e.set.gamma_w, e.set.G);
   }
-  if (v.falsified() && v.data_sets.size() > 1) {
+  if (!v.falsified()) return {};
+  if (!alone) {
     return fmt::format(
         "the data sets contradict one another: no parameter lies in all of their sets (G = {:.6g} "
         "< 0 for the weights given). One of the gamma_w is too small, or the system changed",
         v.set.G);
   }
-  if (v.falsified()) {
-    return fmt::format(
-        "{}: gamma_w = {} is smaller than the residual energy {:.6g}, so G = {:.6g} < 0 and no "
-        "parameter fits the data (Eq. 1.8). Raise --gamma-w or look at the data",
-        v.data_sets.front().name, v.set.gamma_w, v.data_sets.front().residual_energy, v.set.G);
-  }
-  if (v.margin && !v.conditionMet()) {
-    return fmt::format(
-        "exploration condition not met: the data guarantee the desired closeness for G <= {:.6g}, "
-        "but G = {:.6g} (Eq. 1.10)",
-        *v.margin, v.set.G);
-  }
+  return fmt::format(
+      "{}: gamma_w = {} is smaller than the residual energy {:.6g}, so G = {:.6g} < 0 and no "
+      "parameter fits the data (Eq. 1.8). Raise --gamma-w or look at the data",
+      v.data_sets.front().name, v.set.gamma_w, v.data_sets.front().residual_energy, v.set.G);
+}
+
+std::string candidateIsOutside(const Identification& v) {
   for (std::size_t i = 0; i < v.candidate_distances.size(); ++i) {
     if (v.candidateIsMember(i)) continue;
     return fmt::format(
@@ -275,13 +275,26 @@ std::string complaint(const Identification& v) {
         "G = {:.6g} (Eq. 1.7)",
         v.data_sets[i].name, v.candidate_distances[i], v.data_sets[i].set.G);
   }
-  if (v.candidate_distance && !v.candidateIsMember()) {
+  if (!v.candidate_distance || v.candidateIsMember()) return {};
+  return fmt::format(
+      "the candidate [A B] is not among the parameters the data leave possible: "
+      "distance {:.6g}, G = {:.6g} (Eq. 1.7)",
+      *v.candidate_distance, v.set.G);
+}
+
+}  // namespace
+
+std::string complaint(const Identification& v) {
+  if (!v.exciting) return notDetermined(v);
+  const std::string falsified = falsifiedBy(v);
+  if (!falsified.empty()) return falsified;
+  if (v.margin && !v.conditionMet()) {
     return fmt::format(
-        "the candidate [A B] is not among the parameters the data leave possible: "
-        "distance {:.6g}, G = {:.6g} (Eq. 1.7)",
-        *v.candidate_distance, v.set.G);
+        "exploration condition not met: the data guarantee the desired closeness for G <= {:.6g}, "
+        "but G = {:.6g} (Eq. 1.10)",
+        *v.margin, v.set.G);
   }
-  return {};
+  return candidateIsOutside(v);
 }
 
 }  // namespace explore_opt

@@ -1,10 +1,13 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "commands.hpp"
 #include "quad_experiment/ensemble.hpp"
@@ -34,18 +37,56 @@ double ownValue(const Json& summary, const std::string& key) {
   return value.is_null() ? std::nan("") : value.get<double>();
 }
 
-}  // namespace
-
-int percentiles(const PercentilesOptions& options) {
-  const Json summary =
-      Json::parse(quad_support::readFile(options.results + "/summary.json"), nullptr, false);
+/// @throws quad_support::ConfigError for a file that is not a run's summary
+Json readSummary(const std::string& folder) {
+  Json summary = Json::parse(quad_support::readFile(folder + "/summary.json"), nullptr, false);
   if (summary.is_discarded())
-    throw quad_support::ConfigError(options.results + "/summary.json: not valid JSON");
+    throw quad_support::ConfigError(folder + "/summary.json: not valid JSON");
   for (const char* part : {"mode", "initial", "design", "targeted", "random"}) {
     if (!summary.contains(part))
       throw quad_support::ConfigError(
-          fmt::format("{}/summary.json: has no '{}'; not a run's summary", options.results, part));
+          fmt::format("{}/summary.json: has no '{}'; not a run's summary", folder, part));
   }
+  return summary;
+}
+
+/// What the file and the terminal get, filled side by side.
+struct Ranking {
+  Json json;
+  std::string text;
+};
+
+/// The run's own value of one reference among those of the seeds, `sorted`.
+void addRank(const Reference& r, double own, const std::vector<double>& sorted, Ranking& out) {
+  const double median = quantile(sorted, 0.5), low = quantile(sorted, 0.05),
+               high = quantile(sorted, 0.95);
+  const double rank = std::isfinite(own) ? percentileOf(sorted, own) : std::nan("");
+  const auto orNull = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
+  out.json["values"][r.key] = {{"this_run", orNull(own)},
+                               {"percentile", orNull(rank)},
+                               {"count", sorted.size()},
+                               {"median", median},
+                               {"p05", low},
+                               {"p95", high}};
+  out.text += fmt::format("{:<28} {:>10} {:>11.5g} {:>11.1f}  {:>24}\n", r.label, r.printed, own,
+                          rank, fmt::format("{:.4g} [{:.4g}, {:.4g}]", median, low, high));
+}
+
+/// How often the random signal's data contradict γ_w.
+void addFalsifications(const std::vector<double>& random_G, Ranking& out) {
+  if (random_G.empty()) return;
+  const auto count =
+      std::count_if(random_G.begin(), random_G.end(), [](double G) { return G < 0.0; });
+  const double part = static_cast<double>(count) / static_cast<double>(random_G.size());
+  out.json["random_falsifies_gamma_w"] = part;
+  out.text +=
+      fmt::format("the random signal falsifies gamma_w in {:.0f} % of the seeds\n", 100.0 * part);
+}
+
+}  // namespace
+
+int percentiles(const PercentilesOptions& options) {
+  const Json summary = readSummary(options.results);
   if (summary.at("mode") == "wallclock") {
     std::puts("a wall-clock run has no seeds to be compared with");
     return quad_support::kDone;
@@ -60,9 +101,9 @@ int percentiles(const PercentilesOptions& options) {
   });
   if (terminal) std::fprintf(stderr, "\r\033[K");
 
-  Json out;
-  out["seeds"] = options.seeds;
-  std::string text = fmt::format(
+  Ranking out;
+  out.json["seeds"] = options.seeds;
+  out.text = fmt::format(
       "this run (seed {}) among {} flights in process, seeds 1 to {}\n{:<28} {:>10} {:>11} {:>11}  "
       "{:>24}\n",
       plan.config.seed, options.seeds, options.seeds, "", "thesis", "this run", "percentile",
@@ -70,30 +111,10 @@ int percentiles(const PercentilesOptions& options) {
   for (const Reference& r : thesisReferences()) {
     const auto sorted = sortedValues(runs, r.key);
     const bool flown = r.key.rfind("targeted.", 0) == 0 || r.key.rfind("random.", 0) == 0;
-    if (!flown || sorted.empty()) continue;
-    const double own = ownValue(summary, r.key);
-    const double median = quantile(sorted, 0.5), low = quantile(sorted, 0.05),
-                 high = quantile(sorted, 0.95);
-    out["values"][r.key] = {
-        {"this_run", std::isfinite(own) ? Json(own) : Json(nullptr)},
-        {"percentile", std::isfinite(own) ? Json(percentileOf(sorted, own)) : Json(nullptr)},
-        {"count", sorted.size()},
-        {"median", median},
-        {"p05", low},
-        {"p95", high}};
-    text += fmt::format("{:<28} {:>10} {:>11.5g} {:>11.1f}  {:>24}\n", r.label, r.printed, own,
-                        std::isfinite(own) ? percentileOf(sorted, own) : std::nan(""),
-                        fmt::format("{:.4g} [{:.4g}, {:.4g}]", median, low, high));
+    if (flown && !sorted.empty()) addRank(r, ownValue(summary, r.key), sorted, out);
   }
-  const auto falsified = sortedValues(runs, "random.G");
-  if (!falsified.empty()) {
-    double count = 0;
-    for (const double G : falsified) count += G < 0.0;
-    out["random_falsifies_gamma_w"] = count / static_cast<double>(falsified.size());
-    text += fmt::format("the random signal falsifies gamma_w in {:.0f} % of the seeds\n",
-                        100.0 * count / static_cast<double>(falsified.size()));
-  }
-  quad_support::writeFileAtomically(options.results + "/percentiles.json", out.dump(2) + "\n");
-  std::fputs(text.c_str(), stdout);
+  addFalsifications(sortedValues(runs, "random.G"), out);
+  quad_support::writeFileAtomically(options.results + "/percentiles.json", out.json.dump(2) + "\n");
+  std::fputs(out.text.c_str(), stdout);
   return quad_support::kDone;
 }
