@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <mav_msgs/Actuators.h>
 #include <nav_msgs/Odometry.h>
+#include <quad_sim/CommandReport.h>
 #include <quad_sim/Step.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
@@ -179,8 +180,12 @@ TEST_F(SimNode, NoCommandIsATimeoutThatNamesTheStamp) {
 
 TEST_F(SimNode, WithoutAStampTheLatestCommandIsTaken) {
   send(ros::Time(9, 0), {700, 700, 700, 700});
-  std::this_thread::sleep_for(
-      std::chrono::milliseconds(200));  // it travels on a connection of its own
+  quad_sim::CommandReport report;  // it travels on a connection of its own
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+  while (report.response.received == 0 && std::chrono::steady_clock::now() < limit) {
+    ASSERT_TRUE(quad_sim::persistentCall("/gazebo/command_report", report));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   const Step::Response answer = step(200);
   EXPECT_TRUE(answer.success);
   EXPECT_GT(answer.motor_speed.angular_velocities.at(1), 699);
