@@ -12,6 +12,7 @@
 namespace explore_opt {
 namespace {
 
+using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 
@@ -96,11 +97,11 @@ std::vector<int> harmonicsOf(const BaselineSpec& s) {
 }
 
 /// Σ_h Re(c_h e^{2πj h k/T}), k = 0 ... T-1.
-RowVectorXd fromHarmonics(const std::vector<int>& harmonics,
-                          const std::vector<std::complex<double>>& coefficients, int T) {
+RowVectorXd fromHarmonics(const std::vector<int>& harmonics, const MatrixXcd& coefficients, int T) {
   std::vector<std::complex<double>> spectrum(static_cast<std::size_t>(T)), time;
   for (std::size_t i = 0; i < harmonics.size(); ++i)
-    spectrum[static_cast<std::size_t>(harmonics[i])] = coefficients[i];
+    spectrum[static_cast<std::size_t>(harmonics[i])] =
+        coefficients(static_cast<Eigen::Index>(i), 0);
   Eigen::FFT<double> fft;
   fft.SetFlag(Eigen::FFT<double>::Unscaled);
   fft.inv(time, spectrum);
@@ -109,72 +110,87 @@ RowVectorXd fromHarmonics(const std::vector<int>& harmonics,
   return u;
 }
 
-/// The same for given lines, on the grid or off it.
-RowVectorXd fromLines(const SpectralLines& lines,
-                      const std::vector<std::complex<double>>& coefficients) {
-  const auto L = static_cast<Eigen::Index>(coefficients.size());
-  Eigen::VectorXd amplitudes(2 * L);  // Re(c e^{jx}) = Re c cos x - Im c sin x
-  for (Eigen::Index i = 0; i < L; ++i) {
-    amplitudes(i) = coefficients[static_cast<std::size_t>(i)].real();
-    amplitudes(L + i) = -coefficients[static_cast<std::size_t>(i)].imag();
-  }
-  return multisine(lines, Phase::kBoth, amplitudes);
+/// Amplitudes of the cosines, then the sines: Re(c e^{jx}) = Re c cos x - Im c sin x.
+MatrixXd carrierAmplitudes(const MatrixXcd& coefficients) {
+  MatrixXd amplitudes(2 * coefficients.rows(), coefficients.cols());
+  amplitudes << coefficients.real(), -coefficients.imag();
+  return amplitudes;
 }
 
-/// Sums of lines, c(input, index of the line, number of lines) being a line's complex amplitude.
-template <class Coefficient>
-MatrixXd sumOfLines(const BaselineSpec& s, bool lines_given, const Coefficient& c) {
-  const std::vector<int> harmonics = lines_given ? std::vector<int>{} : harmonicsOf(s);
-  const int L = lines_given ? s.lines.size() : static_cast<int>(harmonics.size());
-  MatrixXd U(s.num_inputs, s.num_samples);
-  for (int j = 0; j < s.num_inputs; ++j) {
-    std::vector<std::complex<double>> coefficients;
-    for (int i = 0; i < L; ++i) coefficients.push_back(c(j, i, L));
-    U.row(j) = lines_given ? fromLines(s.lines, coefficients)
-                           : fromHarmonics(harmonics, coefficients, s.num_samples);
-  }
-  return U;
-}
-
-MatrixXd bandLimited(const BaselineSpec& s) {
+MatrixXcd bandLimited(const BaselineSpec& s, int L) {
   const quad_support::RandomStream random(s.seed, s.run, s.stream);
-  return sumOfLines(s, false, [&](int j, int i, int) {
-    const auto step = static_cast<std::uint64_t>(i), draw = static_cast<std::uint64_t>(2 * j);
-    return std::complex<double>(random.normal(step, draw), random.normal(step, draw + 1));
-  });
+  MatrixXcd c(L, s.num_inputs);
+  for (int j = 0; j < s.num_inputs; ++j) {
+    for (int i = 0; i < L; ++i) {
+      const auto step = static_cast<std::uint64_t>(i), draw = static_cast<std::uint64_t>(2 * j);
+      c(i, j) = {random.normal(step, draw), random.normal(step, draw + 1)};
+    }
+  }
+  return c;
 }
 
 /// Phases -π i(i+1)/L keep the peak of equal lines near 1.7 times the r.m.s. value (Schroeder
 /// 1970). Line i goes to input i mod n_u, so that no two inputs share a line.
-MatrixXd flatMultisine(const BaselineSpec& s) {
-  const bool given = s.lines.size() > 0;
-  const int L = given ? s.lines.size() : static_cast<int>(harmonicsOf(s).size());
+MatrixXcd flatMultisine(const BaselineSpec& s, int L) {
   require(L >= s.num_inputs, "{} lines for {} inputs; a flat multisine needs one for each", L,
           s.num_inputs);
-  return sumOfLines(s, given, [&](int j, int i, int count) {
-    const double turns = std::fmod(0.5 * i * (i + 1.0) / count, 1.0);
-    return i % s.num_inputs == j ? std::polar(1.0, -2.0 * kPi * turns) : std::complex<double>();
-  });
+  MatrixXcd c = MatrixXcd::Zero(L, s.num_inputs);
+  for (int i = 0; i < L; ++i) {
+    const double turns = std::fmod(0.5 * i * (i + 1.0) / L, 1.0);
+    c(i, i % s.num_inputs) = std::polar(1.0, -2.0 * kPi * turns);
+  }
+  return c;
 }
 
-MatrixXd randomPhase(const BaselineSpec& s) {
+MatrixXcd randomPhase(const BaselineSpec& s, int L) {
   const quad_support::RandomStream random(s.seed, s.run, s.stream);
-  return sumOfLines(s, s.lines.size() > 0, [&](int j, int i, int) {
-    return std::polar(
-        1.0,
-        2.0 * kPi * random.uniform(static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(j)));
-  });
+  MatrixXcd c(L, s.num_inputs);
+  for (int j = 0; j < s.num_inputs; ++j) {
+    for (int i = 0; i < L; ++i) {
+      c(i, j) = std::polar(
+          1.0,
+          2.0 * kPi * random.uniform(static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(j)));
+    }
+  }
+  return c;
 }
 
-MatrixXd singleLine(const BaselineSpec& s) {
+MatrixXcd singleLine(const BaselineSpec& s) {
+  MatrixXcd c(1, s.num_inputs);
+  for (int j = 0; j < s.num_inputs; ++j) {
+    const double quarter = s.line_phase == Phase::kSin ? -0.5 * kPi : 0.0;
+    c(0, j) = std::polar(1.0, quarter + kPi * j / s.num_inputs);
+  }
+  return c;
+}
+
+/// Complex amplitudes of a sum of L lines, L x n_u.
+MatrixXcd coefficientsOf(const BaselineSpec& s, int L) {
+  if (s.kind == BaselineKind::kBandLimited) return bandLimited(s, L);
+  if (s.kind == BaselineKind::kMultisine) return flatMultisine(s, L);
+  return s.kind == BaselineKind::kRandomPhase ? randomPhase(s, L) : singleLine(s);
+}
+
+/// The lines a signal is a sum of: those given to a kind that looks at them.
+SpectralLines linesOf(const BaselineSpec& s) {
+  if (s.kind == BaselineKind::kMultisine || s.kind == BaselineKind::kRandomPhase) return s.lines;
+  if (s.kind != BaselineKind::kLine) return {};
   require(s.lines.size() >= 1, "a single line needs a harmonic or a frequency");
   SpectralLines line{s.num_samples, {}, {}};
   if (s.lines.harmonics.empty()) line.frequencies = {s.lines.frequencies.front()};
   if (!s.lines.harmonics.empty()) line.harmonics = {s.lines.harmonics.front()};
+  return line;
+}
+
+MatrixXd sumOfLines(const BaselineSpec& s) {
+  const SpectralLines lines = linesOf(s);
+  const bool given = lines.size() > 0;
+  const std::vector<int> harmonics = given ? std::vector<int>{} : harmonicsOf(s);
+  const MatrixXcd c = coefficientsOf(s, given ? lines.size() : static_cast<int>(harmonics.size()));
   MatrixXd U(s.num_inputs, s.num_samples);
   for (int j = 0; j < s.num_inputs; ++j) {
-    const double quarter = s.line_phase == Phase::kSin ? -0.5 * kPi : 0.0;
-    U.row(j) = fromLines(line, {std::polar(1.0, quarter + kPi * j / s.num_inputs)});
+    U.row(j) = given ? RowVectorXd(multisine(lines, Phase::kBoth, carrierAmplitudes(c.col(j))))
+                     : fromHarmonics(harmonics, c.col(j), s.num_samples);
   }
   return U;
 }
@@ -218,20 +234,25 @@ MatrixXd unscaled(const BaselineSpec& s) {
   switch (s.kind) {
     case BaselineKind::kWhite:
       return gaussianSignal(1.0, s.num_inputs, s.num_samples, s.seed, s.run, s.stream);
-    case BaselineKind::kBandLimited:
-      return bandLimited(s);
     case BaselineKind::kPrbs:
       return prbs(s);
     case BaselineKind::kChirp:
       return chirp(s);
+    case BaselineKind::kBandLimited:
     case BaselineKind::kMultisine:
-      return flatMultisine(s);
     case BaselineKind::kRandomPhase:
-      return randomPhase(s);
     case BaselineKind::kLine:
-      return singleLine(s);
+      return sumOfLines(s);
   }
   throw quad_support::DataError("no such kind of signal");
+}
+
+/// The factor that gives a signal the energy asked for.
+double toEnergy(const BaselineSpec& spec, const MatrixXd& U) {
+  const double energy = signalEnergy(U);
+  require(energy > 0.0, "{} with T = {} is zero throughout; more samples are needed",
+          toString(spec.kind), spec.num_samples);
+  return std::sqrt(spec.energy / energy);
 }
 
 }  // namespace
@@ -266,10 +287,14 @@ bool isRandom(BaselineKind kind) {
 Eigen::MatrixXd baselineSignal(const BaselineSpec& spec) {
   validate(spec);
   const MatrixXd U = unscaled(spec);
-  const double energy = signalEnergy(U);
-  require(energy > 0.0, "{} with T = {} is zero throughout; more samples are needed",
-          toString(spec.kind), spec.num_samples);
-  return U * std::sqrt(spec.energy / energy);
+  return U * toEnergy(spec, U);
+}
+
+Eigen::MatrixXd baselineAmplitudes(const BaselineSpec& spec) {
+  validate(spec);
+  const SpectralLines lines = linesOf(spec);
+  if (lines.size() == 0) return {};
+  return carrierAmplitudes(coefficientsOf(spec, lines.size())) * toEnergy(spec, unscaled(spec));
 }
 
 std::vector<int> maximumLengthSequence(int order, std::uint32_t start, int length) {

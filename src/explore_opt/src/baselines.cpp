@@ -17,14 +17,31 @@ using Eigen::MatrixXd;
 
 constexpr std::uint64_t kStream = 0x626173656c696e65;  // of this purpose alone
 
+/// The signals of all experiments side by side, and what they cost as they are if the cost is on
+/// the signal.
+struct Trial {
+  MatrixXd signals;
+  double amplitude = 0.0;
+};
+
 struct Scaled {
   double cost = kInfinity, peak = kInfinity;
 };
 
-Scaled scaled(const ExplorationProblem& problem, const MatrixXd& signal) {
-  const double s = requiredScale(problem, signal);
+Scaled scaledOneWay(const ExplorationProblem& problem, const Trial& trial) {
+  const double s = cheapestScale(problem, trial.signals);
   if (!std::isfinite(s)) return {};
-  return {s * equivalentAmplitude(signal), s * signal.colwise().norm().maxCoeff()};
+  const MatrixXd signals = s * trial.signals;
+  return {problem.cost == CostOn::kInput ? inputAmplitude(problem, signals) : s * trial.amplitude,
+          signals.colwise().norm().maxCoeff()};
+}
+
+/// Away from rest a signal and its negative are not the same; the cheaper counts.
+Scaled scaled(const ExplorationProblem& problem, const Trial& trial) {
+  const Scaled one = scaledOneWay(problem, trial);
+  if (problem.x0.size() == 0 || problem.x0.isZero(0.0)) return one;
+  const Scaled other = scaledOneWay(problem, {-trial.signals, trial.amplitude});
+  return other.cost < one.cost ? other : one;
 }
 
 BaselineCost summary(const std::string& name, const std::string& note, std::vector<Scaled> costs) {
@@ -72,22 +89,27 @@ BaselineSpec specOf(const ExplorationProblem& problem, BaselineKind kind,
   return spec;
 }
 
-/// Of all experiments side by side: another draw in each, or the same signal again.
-MatrixXd signalsOf(const ExplorationProblem& problem, BaselineSpec spec, int draw) {
+/// Another draw in each experiment, or the same signal again. Of signals made of lines the norm of
+/// the amplitudes counts, as in the design; of others the norm on the grid of the same energy.
+Trial trialOf(const ExplorationProblem& problem, BaselineSpec spec, int draw) {
   const Eigen::Index T = spec.num_samples;
-  MatrixXd all(spec.num_inputs, T * problem.experiments);
+  Trial trial{MatrixXd(spec.num_inputs, T * problem.experiments), 0.0};
+  double square = 0.0;
   for (int i = 0; i < problem.experiments; ++i) {
     spec.run = static_cast<std::uint64_t>(draw) * static_cast<std::uint64_t>(problem.experiments) +
                static_cast<std::uint64_t>(i);
-    all.middleCols(i * T, T) = baselineSignal(spec);
+    const MatrixXd signal = baselineSignal(spec), amplitudes = baselineAmplitudes(spec);
+    trial.signals.middleCols(i * T, T) = signal;
+    square += std::pow(amplitudes.size() > 0 ? amplitudes.norm() : equivalentAmplitude(signal), 2);
   }
-  return all;
+  trial.amplitude = std::sqrt(square / problem.experiments);
+  return trial;
 }
 
 std::vector<Scaled> overSeeds(const ExplorationProblem& problem, const BaselineSpec& spec,
                               int seeds) {
   std::vector<Scaled> costs;
-  for (int i = 0; i < seeds; ++i) costs.push_back(scaled(problem, signalsOf(problem, spec, i)));
+  for (int i = 0; i < seeds; ++i) costs.push_back(scaled(problem, trialOf(problem, spec, i)));
   return costs;
 }
 
@@ -111,7 +133,7 @@ BaselineCost bestLine(const ExplorationProblem& problem, BaselineSpec spec) {
     if (grid) spec.lines.harmonics = {problem.lines.harmonics[i]};
     if (!grid) spec.lines.frequencies = {f[i]};
     const BaselineCost cost = summary("line", fmt::format("{:.4g} cycles/sample", f[i]),
-                                      {scaled(problem, signalsOf(problem, spec, 0))});
+                                      {scaled(problem, trialOf(problem, spec, 0))});
     if (!best || cost.cost < best->cost) best = cost;
   }
   return *best;
@@ -137,12 +159,14 @@ BaselineCost costOfAmplitudes(const ExplorationProblem& problem, const std::stri
   if (amplitudes.size() == 0) return summary(name, "", {Scaled{}});
   const Eigen::Index T = problem.lines.num_samples,
                      rows = numCarriers(problem.lines, problem.phase);
-  MatrixXd signals(problem.numInputs(), T * problem.experiments);
+  Trial trial{MatrixXd(problem.numInputs(), T * problem.experiments), 0.0};
   for (Eigen::Index i = 0; i < problem.experiments; ++i) {
-    signals.middleCols(i * T, T) = multisine(
+    trial.signals.middleCols(i * T, T) = multisine(
         problem.lines, problem.phase, amplitudes.middleRows(i * rows % amplitudes.rows(), rows));
   }
-  return summary(name, "", {scaled(problem, signals)});
+  const auto given = static_cast<double>(amplitudes.rows() / rows);
+  trial.amplitude = amplitudes.norm() / std::sqrt(given);
+  return summary(name, "", {scaled(problem, trial)});
 }
 
 }  // namespace

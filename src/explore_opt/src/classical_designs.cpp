@@ -1,7 +1,8 @@
 #include "explore_opt/classical_designs.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
-#include <limits>
 
 #include "checks.hpp"
 #include "constants.hpp"
@@ -22,26 +23,79 @@ struct Value {
   VectorXd gradient;
 };
 
-/// The criterion made independent of the size of a, with its gradient; N = FᵀF, F = QR.
-/// D: -log det N + n log‖a‖²        ∂_i = -2 tr(N⁻¹ FᵀF_i) + 2 n a_i/‖a‖²
-/// A: log tr N⁻¹ + log‖a‖²          ∂_i = -2 tr(N⁻² FᵀF_i)/tr N⁻¹ + 2 a_i/‖a‖²
-Value evaluate(const PredictedResponse& response, ClassicalCriterion criterion, const VectorXd& a) {
-  const MatrixXd F = response.factor(a);
+/// Regressors whose coefficients are unknown in some rows of Θ. The information on all unknown
+/// entries is one block Q[J, J] for each row, so rows with the same J count together.
+struct UnknownSet {
+  std::vector<int> regressors;  ///< J
+  double weight = 0.0;          ///< part of the rows that have unknown entries
+};
+
+std::vector<UnknownSet> unknownRows(const ExplorationProblem& problem) {
+  std::vector<UnknownSet> sets;
+  double rows = 0.0;
+  for (int i = 0; i < problem.numStates(); ++i) {
+    std::vector<int> unknown;
+    for (int j = 0; j < problem.numRegressors(); ++j) {
+      if (problem.known.size() == 0 || std::isnan(problem.known(i, j))) unknown.push_back(j);
+    }
+    if (unknown.empty()) continue;
+    const auto same = std::find_if(
+        sets.begin(), sets.end(), [&](const UnknownSet& set) { return set.regressors == unknown; });
+    if (same != sets.end()) {
+      same->weight += 1.0;
+    } else {
+      sets.push_back({unknown, 1.0});
+    }
+    rows += 1.0;
+  }
+  for (UnknownSet& set : sets) set.weight /= rows;
+  return sets;
+}
+
+/// The inverse of N = FᵀF and log det N, from F = QR; the inverse is empty if N is singular.
+struct Inverse {
+  MatrixXd matrix;
+  double log_determinant = 0.0;
+};
+
+Inverse inverseOf(const MatrixXd& F) {
   const auto n = F.cols();
+  if (F.rows() < n) return {};
   const MatrixXd R = quad_support::triangularFactor(F);
   const VectorXd diagonal = R.diagonal().cwiseAbs();
   if (!(diagonal.minCoeff() > 0.0) || !diagonal.allFinite()) return {};
-  const MatrixXd inverse_root =
+  const MatrixXd root =
       R.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(n, n));  // N⁻¹ = R⁻¹ R⁻ᵀ
-  const MatrixXd inverse = inverse_root * inverse_root.transpose();
+  return {root * root.transpose(), 2.0 * diagonal.array().log().sum()};
+}
+
+/// The criterion made independent of the size of a, with its gradient; N_J = F_JᵀF_J with weights
+/// w_J, n = Σ w_J |J|, t = Σ w_J tr N_J⁻¹.
+/// D: Σ w_J (-log det N_J) + n log‖a‖²   ∂_i = -2 Σ w_J tr(N_J⁻¹ F_Jᵀ F_iJ) + 2 n a_i/‖a‖²
+/// A: log t + log‖a‖²                    ∂_i = -2 Σ w_J tr(N_J⁻² F_Jᵀ F_iJ)/t + 2 a_i/‖a‖²
+Value evaluate(const PredictedResponse& response, const std::vector<UnknownSet>& sets,
+               ClassicalCriterion criterion, const VectorXd& a) {
+  const MatrixXd F = response.factor(a);
   const bool volume = criterion == ClassicalCriterion::kD;
-  const double square = a.squaredNorm(), trace = inverse.trace();
-  const double degree = volume ? static_cast<double>(n) : 1.0;
-  const MatrixXd weighted = F * (volume ? inverse : MatrixXd(inverse * inverse / trace));
+  double degree = 0.0, logarithms = 0.0, trace = 0.0;
+  MatrixXd weighted = MatrixXd::Zero(F.rows(), F.cols());
+  for (const UnknownSet& set : sets) {
+    const MatrixXd part = F(Eigen::all, set.regressors);
+    const Inverse inverse = inverseOf(part);
+    if (inverse.matrix.size() == 0) return {};
+    degree += set.weight * static_cast<double>(part.cols());
+    logarithms += set.weight * inverse.log_determinant;
+    trace += set.weight * inverse.matrix.trace();
+    weighted(Eigen::all, set.regressors) +=
+        set.weight * part * (volume ? inverse.matrix : MatrixXd(inverse.matrix * inverse.matrix));
+  }
+  if (!volume) {
+    degree = 1.0;
+    weighted /= trace;
+  }
   Value out;
-  out.value =
-      (volume ? -2.0 * diagonal.array().log().sum() : std::log(trace)) + degree * std::log(square);
-  out.gradient = 2.0 * degree / square * a;
+  out.value = (volume ? -logarithms : std::log(trace)) + degree * std::log(a.squaredNorm());
+  out.gradient = 2.0 * degree / a.squaredNorm() * a;
   for (int i = 0; i < a.size(); ++i) {
     out.gradient(i) -=
         2.0 * weighted.cwiseProduct(response.factors[static_cast<std::size_t>(i)]).sum();
@@ -79,9 +133,17 @@ VectorXd descend(const Objective& f, VectorXd a) {
   return a / a.norm();
 }
 
-MatrixXd bestOfStarts(const DesignTask& task, ClassicalCriterion criterion, std::uint64_t seed) {
-  const Objective f = [&](const VectorXd& a) { return evaluate(task.response, criterion, a); };
-  const auto simple = cheapestSimpleDirection(task, seed);
+/// Directions in the coordinates b of the cost, γ_e = ‖b‖.
+MatrixXd bestOfStarts(const ExplorationProblem& problem, ClassicalCriterion criterion,
+                      std::uint64_t seed) {
+  ExplorationProblem open = problem;  // whole regressors: rows of Θ count as often as they are
+  open.known.resize(0, 0);
+  const DesignTask task = taskOf(open);
+  const std::vector<UnknownSet> sets = unknownRows(problem);
+  const Objective f = [&](const VectorXd& b) {
+    return evaluate(task.response, sets, criterion, b);
+  };
+  const auto simple = cheapestSimpleDirection(taskOf(problem), seed);
   if (!simple) return {};
   VectorXd best;
   double least = kInfinity;
@@ -116,20 +178,15 @@ Eigen::MatrixXd classicalDesign(const ExplorationProblem& problem, ClassicalCrit
   ExplorationProblem plain = problem;  // information in the parameters' own units
   plain.D_des = MatrixXd::Constant(1, 1, 1.0);
   plain.x0.resize(0);  // information grows with the square of the amplitudes
-  plain.cost = CostOn::kSignal;
   plain.u_max.resize(0);
   plain.experiments = 1;
   if (criterion == ClassicalCriterion::kE) {
     DesignOptions options;
     options.seed = seed;
-    const MatrixXd amplitudes = designExploration(plain, options).amplitudes;
-    return amplitudes.size() > 0 ? MatrixXd(amplitudes / amplitudes.norm()) : MatrixXd();
+    const DesignResult design = designExploration(plain, options);
+    return design.feasible() ? MatrixXd(design.amplitudes / design.gamma_e) : MatrixXd();
   }
-  DesignTask task;
-  task.response = predictResponse(plain);
-  task.gamma_w = plain.gamma_w;
-  task.num_inputs = plain.numInputs();
-  return bestOfStarts(task, criterion, seed);
+  return bestOfStarts(plain, criterion, seed);
 }
 
 }  // namespace explore_opt

@@ -7,6 +7,7 @@
 
 #include "checks.hpp"
 #include "constants.hpp"
+#include "constraint_shape.hpp"
 #include "explore_opt/set_membership.hpp"
 #include "quad_support/linear_algebra.hpp"
 
@@ -52,21 +53,27 @@ MatrixXd response(const ExplorationProblem& problem, double frequency) {
   return V.allFinite() && V.norm() < 1e12 ? V : MatrixXd();
 }
 
-/// A root W of the closeness of the regressors: D of D ⊗ I; of a full D_des the sum over the rows
-/// of Θ. Directions nobody asks for count a millionth.
-MatrixXd regressorWeights(const ExplorationProblem& problem) {
+/// Closeness of the regressors, n_φ x n_φ: D of D ⊗ I; of a full D_des the sum over the rows of Θ,
+/// of their unknown entries. Directions nobody asks for count a millionth.
+MatrixXd regressorCloseness(const ExplorationProblem& problem) {
   const int n = problem.numRegressors(), nx = problem.numStates();
+  const auto unknown = [&](int i, int j) {
+    return problem.known.size() == 0 || std::isnan(problem.known(i, j));
+  };
   MatrixXd D = problem.D_des;
-  if (D.size() == 1) D = MatrixXd::Identity(n, n);
+  if (D.size() == 1) D = MatrixXd(D(0, 0) * MatrixXd::Identity(n, n));
   if (D.rows() != n) {
     MatrixXd sum = MatrixXd::Zero(n, n);
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < n; ++j) sum(i, j) = D.block(i * nx, j * nx, nx, nx).trace();
+    for (int j = 0; j < n; ++j) {
+      for (int l = 0; l < n; ++l) {
+        for (int i = 0; i < nx; ++i)
+          if (unknown(i, j) && unknown(i, l)) sum(j, l) += D(j * nx + i, l * nx + i);
+      }
     }
     D = sum;
   }
-  const double largest = quad_support::symmetricEigenvalues(D).tail(1)(0);
-  return quad_support::inverseSquareRoot(D + 1e-6 * largest * MatrixXd::Identity(n, n));
+  const double largest = quad_support::symmetricEigenvalues(problem.D_des).tail(1)(0);
+  return D + 1e-6 * largest * MatrixXd::Identity(n, n);
 }
 
 /// Σ p_h N_h = RᵀR in axes of its own: singular values of R and its right singular vectors. From
@@ -97,8 +104,9 @@ VectorXd bestSpectrum(const std::vector<MatrixXd>& roots) {
     const double least = axes.sigma.minCoeff();
     if (!(least > 1e-14 * axes.sigma.maxCoeff())) {
       throw quad_support::NegativeAnswer(
-          "no signal on these harmonics excites all parameters in steady state: is (A, B) "
-          "controllable, and the band wide enough?");
+          "no signal on these harmonics excites all unknown parameters in steady state: is (A, B) "
+          "controllable, and the band wide enough? What the inputs cannot reach can be declared "
+          "known");
     }
     const VectorXd weights = (least * axes.sigma.cwiseInverse()).array().pow(4.0);  // M⁻², rooted
     const MatrixXd turn = axes.vectors * weights.asDiagonal();
@@ -157,7 +165,9 @@ FrequencyChoice chooseFrequencies(const ExplorationProblem& problem,
                     "choose lines by. Add a stabilising K",
                     radius));
   }
-  const MatrixXd weights = regressorWeights(problem);
+  ExplorationProblem asked = problem;
+  asked.D_des = regressorCloseness(problem);
+  const ConstraintShape shape(asked);
   FrequencyChoice choice;
   std::vector<MatrixXd> roots;
   std::vector<MatrixXd> responses;
@@ -167,7 +177,7 @@ FrequencyChoice chooseFrequencies(const ExplorationProblem& problem,
     choice.grid.push_back(h);
     responses.push_back(V);
     // Re(V Vᴴ) = Re V Re Vᵀ + Im V Im Vᵀ
-    roots.push_back(std::sqrt(0.5 * T) * V.transpose() * weights);
+    roots.push_back(shape.factor(std::sqrt(0.5 * T) * V.transpose()));
   }
   require(!choice.grid.empty(), "every harmonic of the band is a pole of the system");
   choice.power = bestSpectrum(roots);

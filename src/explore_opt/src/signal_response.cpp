@@ -1,11 +1,12 @@
 #include "explore_opt/signal_response.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "checks.hpp"
 #include "constants.hpp"
+#include "constraint_shape.hpp"
 #include "explore_opt/set_membership.hpp"
-#include "explore_opt/structured_least_squares.hpp"
 #include "quad_support/linear_algebra.hpp"
 
 namespace explore_opt {
@@ -25,43 +26,23 @@ MatrixXd regressor(const ExplorationProblem& problem, const MatrixXd& signal) {
   return phi / std::sqrt(static_cast<double>(problem.experiments));
 }
 
-/// Triangle R with RᵀR = M Mᵀ of a wide matrix.
+/// Triangle R with RᵀR = M Mᵀ, square also for fewer samples than rows.
 MatrixXd rootOf(const MatrixXd& wide) {
-  if (wide.cols() < wide.rows()) return MatrixXd::Zero(wide.rows(), wide.rows());
-  return quad_support::triangularFactor(wide.transpose());
+  MatrixXd tall = MatrixXd::Zero(std::max(wide.cols(), wide.rows()), wide.rows());
+  tall.topRows(wide.cols()) = wide.transpose();
+  return quad_support::triangularFactor(tall);
 }
 
-/// The same on the unknown entries alone: Eᵀ(RᵀR ⊗ I)E ⪰ G Eᵀ D_des E.
-double structuredMargin(const ExplorationProblem& problem, const MatrixXd& root) {
-  const Index nx = problem.numStates();
-  StructuredFit shape;
-  shape.Theta = problem.known;
-  for (int j = 0; j < problem.numRegressors(); ++j) {
-    for (int i = 0; i < nx; ++i)
-      if (std::isnan(problem.known(i, j))) shape.free.push_back({i, j});
-  }
-  const auto n = static_cast<Index>(shape.free.size());
-  MatrixXd wide = MatrixXd::Zero(n, root.rows() * nx);  // rows: columns of (R ⊗ I) E
-  for (Index e = 0; e < n; ++e) {
-    const Entry at = shape.free[static_cast<std::size_t>(e)];
-    for (Index r = 0; r < root.rows(); ++r) wide(e, r * nx + at.row) = root(r, at.column);
-  }
-  return largestRadius(rootOf(wide), restrictCloseness(problem.D_des, shape));
-}
-
-/// Largest G with RᵀR ⊗ I ⪰ G D_des; 0 if R is singular.
-double marginOf(const ExplorationProblem& problem, const MatrixXd& root) {
-  const VectorXd lengths = root.colwise().norm();
+/// Largest G with Eᵀ(RᵀR ⊗ I)E ⪰ G EᵀD_desE, E the unknown entries, in the shape a design imposes;
+/// 0 if R leaves one of them undetermined. What is known need not be excited.
+double marginOf(const ConstraintShape& shape, const MatrixXd& root) {
+  const MatrixXd F = shape.factor(root);
+  const VectorXd lengths = F.colwise().norm();
   if (!(lengths.minCoeff() > 0.0) || !lengths.allFinite()) return 0.0;
-  const VectorXd sigma = quad_support::singularValues(root * lengths.cwiseInverse().asDiagonal());
+  const VectorXd sigma = quad_support::singularValues(F * lengths.cwiseInverse().asDiagonal());
   if (!(sigma(0) <= kLargestCondition * sigma(sigma.size() - 1))) return 0.0;
-  if (problem.known.size() > 0) return structuredMargin(problem, root);
-  FeasibleSet set;
-  set.center = MatrixXd::Zero(problem.numStates(), problem.numRegressors());
-  set.root = root;
-  const double least = quad_support::singularValues(root).tail(1)(0);
-  set.lambda_min_S = least * least;
-  return informationMargin(set, problem.D_des);
+  return largestRadius(quad_support::triangularFactor(F),
+                       MatrixXd::Identity(shape.size(), shape.size()));
 }
 
 /// Triangle of a QR of [Φ_0; Φ_1]ᵀ, whose sums stand for those of the T-long regressors.
@@ -84,7 +65,8 @@ AffineRegressor affineRegressor(const ExplorationProblem& problem, const MatrixX
 
 /// Bisection between a factor that meets the condition and one that does not.
 double scaleFromAbove(const ExplorationProblem& problem, const AffineRegressor& affine) {
-  const auto meets = [&](double s) { return marginOf(problem, affine.root(s)) >= problem.gamma_w; };
+  const ConstraintShape shape(problem);
+  const auto meets = [&](double s) { return marginOf(shape, affine.root(s)) >= problem.gamma_w; };
   double high = 1.0;
   while (!meets(high)) {
     high *= 2.0;
@@ -101,6 +83,16 @@ double scaleFromAbove(const ExplorationProblem& problem, const AffineRegressor& 
     (meets(middle) ? high : low) = middle;
   }
   return high;
+}
+
+bool startsAtRest(const ExplorationProblem& problem) {
+  return problem.x0.size() == 0 || problem.x0.isZero(0.0);
+}
+
+void requireSignals(const ExplorationProblem& problem, const MatrixXd& signal) {
+  validate(problem);
+  requireShape(signal, problem.numInputs(), Index{problem.lines.num_samples} * problem.experiments,
+               "signal");
 }
 
 }  // namespace
@@ -124,13 +116,31 @@ NominalExperiment simulateNominal(const ExplorationProblem& problem,
 }
 
 double requiredScale(const ExplorationProblem& problem, const Eigen::MatrixXd& signal) {
-  validate(problem);
-  requireShape(signal, problem.numInputs(), Index{problem.lines.num_samples} * problem.experiments,
-               "signal");
-  if (problem.x0.size() > 0 && !problem.x0.isZero(0.0))
-    return scaleFromAbove(problem, affineRegressor(problem, signal));
-  const double margin = marginOf(problem, rootOf(regressor(problem, signal)));
+  requireSignals(problem, signal);
+  if (!startsAtRest(problem)) return scaleFromAbove(problem, affineRegressor(problem, signal));
+  const double margin = marginOf(ConstraintShape(problem), rootOf(regressor(problem, signal)));
   return margin > 0.0 ? std::sqrt(problem.gamma_w / margin) : kInfinity;  // degree 2
+}
+
+double cheapestScale(const ExplorationProblem& problem, const Eigen::MatrixXd& signal) {
+  const double required = requiredScale(problem, signal);
+  if (problem.cost == CostOn::kSignal || startsAtRest(problem) || !std::isfinite(required))
+    return required;
+  // Σ‖u⁰_k + s u¹_k‖², the answers to x0 and to the signal, is least at -Σ u⁰_k·u¹_k / Σ‖u¹_k‖².
+  const AffineRegressor affine = affineRegressor(problem, signal);
+  const Index nu = problem.numInputs();
+  const MatrixXd free = affine.free.rightCols(nu), forced = affine.forced.rightCols(nu);
+  const double square = forced.squaredNorm();
+  return square > 0.0 ? std::max(required, -free.cwiseProduct(forced).sum() / square) : required;
+}
+
+double inputAmplitude(const ExplorationProblem& problem, const Eigen::MatrixXd& signal) {
+  requireSignals(problem, signal);
+  const Index T = problem.lines.num_samples;
+  double sum = 0.0;
+  for (Index first = 0; first < signal.cols(); first += T)
+    sum += simulateNominal(problem, signal.middleCols(first, T)).U.squaredNorm();
+  return std::sqrt(2.0 * sum / static_cast<double>(signal.cols()));
 }
 
 double equivalentAmplitude(const Eigen::MatrixXd& signal) {

@@ -246,3 +246,33 @@ TEST(BaselineSignals, RefusesWhatMakesNoSense) {
   EXPECT_NE(with([](BaselineSpec& s) { s.lines.num_samples = 371; }), "");
   EXPECT_NE(with([](BaselineSpec& s) { s.lines.harmonics = {185}; }), "");
 }
+
+TEST(BaselineSignals, AmplitudesOfSumsOfLinesMakeTheSignal) {
+  for (const bool grid : {true, false}) {
+    for (const BaselineKind kind : allBaselines()) {
+      SCOPED_TRACE(toString(kind));
+      BaselineSpec spec;
+      spec.kind = kind;
+      spec.num_samples = 90;
+      spec.num_inputs = 2;
+      spec.energy = 7.0;
+      spec.lines = {90, {}, {0.004, 0.013, 0.21}};
+      if (grid) spec.lines = {90, {2, 5, 31}, {}};
+      const bool of_lines = kind == BaselineKind::kMultisine ||
+                            kind == BaselineKind::kRandomPhase || kind == BaselineKind::kLine;
+      const Eigen::MatrixXd a = baselineAmplitudes(spec), U = baselineSignal(spec);
+      ASSERT_EQ(a.size() > 0, of_lines);
+      if (!of_lines) continue;
+      SpectralLines lines = spec.lines;
+      if (kind == BaselineKind::kLine) {
+        lines.harmonics.resize(grid ? 1 : 0);
+        lines.frequencies.resize(grid ? 0 : 1);
+      }
+      EXPECT_LT((multisine(lines, Phase::kBoth, a) - U).norm(), 1e-13 * U.norm());
+      // On the grid Σ‖u_k‖² = (T/2)‖a‖².
+      if (grid) {
+        EXPECT_NEAR(45.0 * a.squaredNorm(), 7.0, 1e-12);
+      }
+    }
+  }
+}

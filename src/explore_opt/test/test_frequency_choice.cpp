@@ -93,6 +93,40 @@ TEST(FrequencyChoice, ThinsALongGrid) {
   EXPECT_EQ(choice.grid.front(), 1);
 }
 
+TEST(FrequencyChoice, LooksAtUnknownEntriesAlone) {
+  ExplorationProblem alone;  // x+ = 0.9 x + u
+  alone.A = Eigen::MatrixXd::Constant(1, 1, 0.9);
+  alone.B = Eigen::MatrixXd::Ones(1, 1);
+  alone.lines = {100, {1}, {}};
+  alone.gamma_w = 1.0;
+  alone.D_des = Eigen::MatrixXd::Constant(1, 1, 10.0);
+  ExplorationProblem beside = alone;  // and a state that no input moves
+  beside.A = Eigen::Vector2d(0.9, 0.5).asDiagonal();
+  beside.B = Eigen::Vector2d(1.0, 0.0);
+  EXPECT_THROW(chooseFrequencies(beside), quad_support::NegativeAnswer);
+  beside.known = (Eigen::MatrixXd(2, 3) << NAN, 0, NAN, 0, 0.5, 0).finished();
+  FrequencyOptions options;
+  options.lines = 2;
+  const FrequencyChoice expected = chooseFrequencies(alone, options);
+  for (const bool full : {false, true}) {
+    if (full) beside.D_des = 10.0 * Eigen::MatrixXd::Identity(6, 6);
+    const FrequencyChoice choice = chooseFrequencies(beside, options);
+    EXPECT_EQ(choice.harmonics, expected.harmonics);
+    // The known state adds zeros to sums, which moves nothing but rounding.
+    EXPECT_LT((choice.power - expected.power).cwiseAbs().maxCoeff(), 1e-12);
+  }
+  beside.known(1, 1) = NAN;  // the state nobody moves is asked for after all
+  EXPECT_THROW(chooseFrequencies(beside), quad_support::NegativeAnswer);
+
+  ExplorationProblem twins = alone;  // states that are always equal, told apart by what is known
+  twins.A = Eigen::Vector2d(0.5, 0.5).asDiagonal();
+  twins.B = Eigen::Vector2d(1.0, 1.0);
+  twins.known = (Eigen::MatrixXd(2, 3) << NAN, 0, NAN, 0, NAN, NAN).finished();
+  twins.lines.harmonics = chooseFrequencies(twins).harmonics;
+  EXPECT_EQ(twins.lines.harmonics.size(), 3u);
+  EXPECT_TRUE(designExploration(twins).feasible());
+}
+
 TEST(FrequencyChoice, SaysWhyItCannotChoose) {
   ExplorationProblem problem = thesisProblem(Phase::kCos);
   problem.A(1, 1) = 1.05;

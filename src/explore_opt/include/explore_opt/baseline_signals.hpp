@@ -53,6 +53,11 @@ struct BaselineSpec {
 /// @throws quad_support::DataError naming the field: value, allowed range; a band without harmonics
 Eigen::MatrixXd baselineSignal(const BaselineSpec& spec);
 
+/// The amplitudes of a baselineSignal() made of `lines`, 2 L x n_u: all cosines, then all sines.
+/// Empty for other signals. Off the grid their norm is not sqrt(2 energy/T).
+/// @throws quad_support::DataError as baselineSignal()
+Eigen::MatrixXd baselineAmplitudes(const BaselineSpec& spec);
+
 /// `length` bits ±1 of the maximum-length sequence of `order` bits (2 to 24); it repeats after
 /// 2^order - 1. @param start  1 ... 2^order - 1, content of the shift register
 std::vector<int> maximumLengthSequence(int order, std::uint32_t start, int length);

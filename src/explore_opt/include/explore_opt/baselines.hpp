@@ -16,13 +16,20 @@ struct BaselineOptions {
              0.0;  ///< [cycles per sample]; both 0: from the problem's lowest to its highest line
 };
 
-/// A signal scaled so that the noise-free response of the nominal system just meets the condition.
+/// A signal scaled so that the noise-free response of the nominal system meets the condition at the
+/// least cost (away from rest: the cheaper of the signal and its negative).
+///
+/// Cost is γ_e of the design. With cost on the input: sqrt(2 Σ‖u_k‖²/T), u_k = K x_k + e_k. With
+/// cost on the signal: ‖a‖ of signals made of the problem's lines, sqrt(2 Σ‖e_k‖²/T) of others,
+/// which on the grid is the same number. Off the grid it is not: lines there may cost less, or
+/// more, by ‖a‖ than by their energy, so others are comparable with each other but not with γ_e.
+/// Peak limits (ExplorationProblem::u_max) are not imposed.
 struct BaselineCost {
   std::string name;
   std::string note;   ///< what was chosen: band, line, hold
   int seeds = 1;      ///< tried
   int failed = 0;     ///< of them excite too little at any size; their cost is infinite
-  double cost = 0.0;  ///< sqrt(2 Σ‖e_k‖²/T), comparable with γ_e; median over the seeds
+  double cost = 0.0;  ///< median over the seeds
   double least = 0.0, largest = 0.0;
   double peak = 0.0;  ///< max_k ‖e_k‖ of the median's signal; infinite if the cost is
 };

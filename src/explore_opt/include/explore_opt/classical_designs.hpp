@@ -11,19 +11,22 @@
 
 namespace explore_opt {
 
+/// Of the information P⁻¹ on the unknown entries of [A B]; if none is known that is ΦΦᵀ ⊗ I, and
+/// ΦΦᵀ stands for it.
 enum class ClassicalCriterion {
-  kD,  ///< largest det(ΦΦᵀ): least volume of the confidence ellipsoid
-  kA,  ///< least tr((ΦΦᵀ)⁻¹): least sum of variances
-  kE,  ///< largest λ_min(ΦΦᵀ): least longest axis; the same as targeting D_des = λ I
+  kD,  ///< largest det P⁻¹: least volume of the confidence ellipsoid
+  kA,  ///< least tr P: least sum of variances
+  kE,  ///< largest λ_min(P⁻¹): least longest axis; the same as targeting D_des = λ I
 };
 
 std::string toString(ClassicalCriterion criterion);  ///< "D-optimal", "A-optimal", "E-optimal"
 std::vector<ClassicalCriterion> allCriteria();
 
-/// Direction of amplitudes, ‖a‖ = 1, that is best by the criterion for the noise-free response of
-/// the nominal system, transients included. D, A: BFGS from several seeded starts, so a local
-/// optimum is possible; E: designExploration() with D_des = I.
-/// @returns carriers x n_u; empty if no direction excites all parameters
+/// Amplitudes of cost 1 (‖a‖, or what ExplorationProblem::cost says) that are best by the criterion
+/// for the noise-free response of the nominal system from rest, transients included. D, A: BFGS
+/// from several seeded starts, so a local optimum is possible; E: designExploration() with D_des =
+/// I.
+/// @returns carriers x n_u; empty if no direction excites all unknown parameters
 Eigen::MatrixXd classicalDesign(const ExplorationProblem& problem, ClassicalCriterion criterion,
                                 std::uint64_t seed = 1);
 

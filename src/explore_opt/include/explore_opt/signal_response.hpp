@@ -17,14 +17,23 @@ struct NominalExperiment {
 /// @throws quad_support::DataError: wrong shape, or the states overflow (names the sample)
 NominalExperiment simulateNominal(const ExplorationProblem& problem, const Eigen::MatrixXd& signal);
 
-/// Smallest factor s with which s·signal meets the data condition P_θ⁻¹ ⪰ γ_w D_des, by simulation;
-/// infinite if no factor does. For a start away from rest: the smallest beyond which the condition
-/// holds throughout, found from above. Several experiments (problem.experiments = r) share the
-/// condition: P_θ⁻¹ is then the mean of theirs.
+/// Smallest factor s with which s·signal meets the data condition of a design, P_θ⁻¹ ⪰ γ_w D_des on
+/// the unknown entries (D_des as in ExplorationProblem), by simulation; infinite if no factor does.
+/// For a start away from rest: the smallest beyond which the condition holds throughout, found from
+/// above. Several experiments (problem.experiments = r) share the condition: P_θ⁻¹ is then the mean
+/// of theirs.
 /// @param signal  n_u x T, several experiments side by side: n_u x r T
 double requiredScale(const ExplorationProblem& problem, const Eigen::MatrixXd& signal);
 
+/// The factor of least cost among those from requiredScale() on: for a start away from rest and
+/// cost on the input a larger signal may leave less input. Else the same number.
+double cheapestScale(const ExplorationProblem& problem, const Eigen::MatrixXd& signal);
+
 /// sqrt(2 Σ‖e_k‖²/T): the norm ‖a‖ of a multisine on the grid of the same energy.
 double equivalentAmplitude(const Eigen::MatrixXd& signal);
+
+/// sqrt(2 Σ‖u_k‖²/T) of the inputs u_k = K x_k + e_k from x0: what a design with cost on the input
+/// minimises. Several experiments: the root mean square. @param signal  as in requiredScale()
+double inputAmplitude(const ExplorationProblem& problem, const Eigen::MatrixXd& signal);
 
 }  // namespace explore_opt

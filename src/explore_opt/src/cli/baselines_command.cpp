@@ -16,9 +16,11 @@ const char* const kBaselinesHelp = R"(Example:
   echo '{"A": [[1, 0.1635], [0, 1]], "B": [[0.0214], [0.2617]], "T": 370, "harmonics": [3, 6, 8, 10],
          "phase": "sin", "gamma_w": 20, "D_des": 100}' > problem.json
   explore_opt baselines problem.json --seeds 5 --out baselines.json
-Every signal is scaled until the noise-free response of the nominal system meets the condition; cost is
-sqrt(2 energy/T), comparable with gamma_e. Random ones: median of the seeds. The table goes to standard output with --out,
-else to standard error, and the JSON to standard output.
+Every signal is scaled until the noise-free response of the nominal system meets the condition. Cost is what the design
+minimises, gamma_e: sqrt(2 energy/T) of the input u = K x + e with "cost": "input"; else the norm of the amplitudes of signals
+made of the problem's lines, and sqrt(2 energy/T) of others, which is the same on the grid (off it, those compare among
+themselves only). u_max is not imposed on other signals. Random ones: median of the seeds. peak: of e. The table goes to
+standard output with --out, else to standard error, and the JSON to standard output.
 Exit code 0: done; 3: there is no targeted design to compare with; 2: bad input.)";
 namespace {
 
@@ -63,13 +65,15 @@ int runBaselines(const BaselinesSettings& settings) {
   }
   DesignOptions design_options;
   design_options.seed = options.seed;
-  const DesignResult design = designExploration(problem, design_options);
+  const DesignResult design =
+      namingFile(settings.problem, [&] { return designExploration(problem, design_options); });
   if (!design.feasible()) {
     std::fprintf(stderr, "explore_opt: %s: %s: %s\n", settings.problem.c_str(),
                  toString(design.status).c_str(), design.message.c_str());
     return quad_support::kNegativeAnswer;
   }
-  const auto rows = compareBaselines(problem, design.amplitudes, options);
+  const auto rows = namingFile(
+      settings.problem, [&] { return compareBaselines(problem, design.amplitudes, options); });
   ordered_json out = {{"gamma_e", design.gamma_e},
                       {"lower_bound", design.lower_bound},
                       {"gap", design.gap},

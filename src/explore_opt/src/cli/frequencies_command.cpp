@@ -17,7 +17,7 @@ const char* const kFrequenciesHelp = R"(Example:
   explore_opt design problem.json --out design.json
 harmonics: the lines chosen, shares: their parts of the power. bode: the data of the picture: frequency [cycles per sample],
 gain and phase [rad] (a column for each state and input), power (of the best steady-state signal).
-Lines already in the file play no part. Exit code 0: done; 3: unstable (add K), or nothing excites; 2: bad input.)";
+Only entries of [A B] that "known" leaves open count. Lines already in the file play no part. Exit code 0: done; 3: unstable (add K), or nothing excites; 2: bad input.)";
 namespace {
 
 using nlohmann::ordered_json;
@@ -49,7 +49,8 @@ int runFrequencies(const FrequenciesSettings& settings) {
     options.band_low = settings.band.front();
     options.band_high = settings.band.back();
   }
-  const FrequencyChoice choice = chooseFrequencies(problem, options);
+  const FrequencyChoice choice =
+      namingFile(settings.system, [&] { return chooseFrequencies(problem, options); });
   if (!settings.problem.empty()) {
     json["harmonics"] = choice.harmonics;
     writeAnswer(settings.problem, prettyJson(json));

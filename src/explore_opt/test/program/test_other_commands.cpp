@@ -94,6 +94,21 @@ TEST_F(Program, SeveralExperimentsArePredictedAndComparedTogether) {
   }
 }
 
+TEST_F(Program, BaselinesAndFrequenciesLeaveKnownEntriesAlone) {
+  // No input moves the second state, and nothing is asked about it.
+  const std::string problem = write("known.json", R"({"A": [[0.9, 0], [0, 0.5]], "B": [[1], [0]],
+    "T": 100, "harmonics": [3, 11], "phase": "cos", "gamma_w": 1, "D_des": 10,
+    "known": [[null, 0, null], [0, 0.5, 0]]})");
+  ASSERT_EQ(run("baselines " + problem + " --seeds 2"), 0) << stderr_;
+  EXPECT_EQ(stderr_.find("nan"), std::string::npos) << stderr_;
+  const json rows = answer();
+  const double targeted = rows["gamma_e"].get<double>();
+  EXPECT_NEAR(rows["signals"][0]["cost"].get<double>(), targeted, 1e-10 * targeted);
+  for (const json& row : rows["signals"]) EXPECT_FALSE(row["cost"].is_null()) << row["name"];
+  ASSERT_EQ(run("frequencies " + problem + " --problem chosen.json"), 0) << stderr_;
+  EXPECT_EQ(run("design chosen.json"), 0) << stderr_;
+}
+
 TEST_F(Program, SolvesCanBeDumpedAndReplayed) {
   const std::string problem = write("problem.json", kThesis);
   for (const std::string& method :
@@ -130,8 +145,11 @@ TEST_F(Program, FrequenciesWriteAProblemReadyForDesign) {
   EXPECT_EQ(run("design problem.json"), 0) << stderr_;
   EXPECT_EQ(run("frequencies " + file + " --band 0.3 0.2"), 2);
   system["A"] = {{1.2, 0}, {0, 0.5}};
-  EXPECT_EQ(run("frequencies " + write("unstable.json", system.dump())), 3);
+  const std::string unstable = write("unstable.json", system.dump());
+  EXPECT_EQ(run("frequencies " + unstable), 3);
   EXPECT_NE(stderr_.find("Add a stabilising K"), std::string::npos) << stderr_;
+  EXPECT_EQ(stderr_.rfind("explore_opt: " + unstable + ": the system is unstable", 0), 0u)
+      << stderr_;
 }
 
 TEST_F(Program, SaysItsVersionAndItsCommands) {
