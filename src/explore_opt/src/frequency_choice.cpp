@@ -118,31 +118,63 @@ VectorXd bestSpectrum(const std::vector<MatrixXd>& roots) {
   return p;
 }
 
-/// The highest peaks; every candidate's power goes to the nearest one.
-void pickLines(int count, FrequencyChoice& choice) {
-  const auto n = static_cast<int>(choice.grid.size());
-  std::vector<int> order, chosen;
-  for (int i = 0; i < n; ++i) order.push_back(i);
-  const auto isPeak = [&](int i) {
-    return (i == 0 || choice.power(i) >= choice.power(i - 1)) &&
-           (i == n - 1 || choice.power(i) > choice.power(i + 1));
-  };
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    if (isPeak(a) != isPeak(b)) return isPeak(a);  // then what is left, if peaks are too few
-    return choice.power(a) > choice.power(b);
-  });
-  for (const int i : order) {
-    if (static_cast<int>(chosen.size()) < count) chosen.push_back(i);
-  }
-  std::sort(chosen.begin(), chosen.end());
-  choice.shares.assign(chosen.size(), 0.0);
-  for (int i = 0; i < n; ++i) {
+/// For each candidate the place in `chosen` of the nearest one.
+std::vector<std::size_t> nearestChosen(int candidates, const std::vector<int>& chosen) {
+  std::vector<std::size_t> places;
+  for (int i = 0; i < candidates; ++i) {
     std::size_t nearest = 0;
     for (std::size_t c = 1; c < chosen.size(); ++c) {
       if (std::abs(chosen[c] - i) < std::abs(chosen[nearest] - i)) nearest = c;
     }
-    choice.shares[nearest] += choice.power(i);
+    places.push_back(nearest);
   }
+  return places;
+}
+
+/// One more candidate: the middle, by power, of what the busiest line stands for beside itself.
+int middleOfTheBusiest(const VectorXd& power, const std::vector<int>& chosen) {
+  const auto n = static_cast<int>(power.size());
+  const std::vector<std::size_t> places = nearestChosen(n, chosen);
+  const auto isChosen = [&](int i) { return chosen[places[static_cast<std::size_t>(i)]] == i; };
+  VectorXd others = VectorXd::Constant(static_cast<Index>(chosen.size()), -1.0);  // has none
+  for (int i = 0; i < n; ++i) {
+    double& sum = others(static_cast<Index>(places[static_cast<std::size_t>(i)]));
+    if (!isChosen(i)) sum = std::max(sum, 0.0) + power(i);
+  }
+  Index busiest = 0;
+  const double half = 0.5 * others.maxCoeff(&busiest);
+  double sum = 0.0;
+  int last = 0;
+  for (int i = 0; i < n; ++i) {
+    if (static_cast<Index>(places[static_cast<std::size_t>(i)]) != busiest || isChosen(i)) continue;
+    last = i;
+    sum += power(i);
+    if (sum >= half) break;
+  }
+  return last;
+}
+
+/// The highest peaks; where a broad spectrum has fewer, its stretches are halved until there are
+/// lines enough. Every candidate's power goes to the nearest line.
+void pickLines(int count, FrequencyChoice& choice) {
+  const auto n = static_cast<int>(choice.grid.size());
+  const auto isPeak = [&](int i) {
+    return (i == 0 || choice.power(i) >= choice.power(i - 1)) &&
+           (i == n - 1 || choice.power(i) > choice.power(i + 1));
+  };
+  std::vector<int> chosen;
+  for (int i = 0; i < n; ++i) {
+    if (isPeak(i)) chosen.push_back(i);
+  }
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [&](int a, int b) { return choice.power(a) > choice.power(b); });
+  if (static_cast<int>(chosen.size()) > count) chosen.resize(static_cast<std::size_t>(count));
+  while (static_cast<int>(chosen.size()) < std::min(count, n))
+    chosen.push_back(middleOfTheBusiest(choice.power, chosen));
+  std::sort(chosen.begin(), chosen.end());
+  choice.shares.assign(chosen.size(), 0.0);
+  const std::vector<std::size_t> places = nearestChosen(n, chosen);
+  for (int i = 0; i < n; ++i) choice.shares[places[static_cast<std::size_t>(i)]] += choice.power(i);
   for (const int i : chosen) choice.harmonics.push_back(choice.grid[static_cast<std::size_t>(i)]);
 }
 

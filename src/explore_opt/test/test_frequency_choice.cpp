@@ -1,6 +1,7 @@
 /// Lines chosen by the frequency response.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <complex>
 
 #include "explore_opt/design_json.hpp"
@@ -91,6 +92,21 @@ TEST(FrequencyChoice, ThinsALongGrid) {
   EXPECT_LT(choice.grid.size(), 1100u);
   EXPECT_GT(choice.grid.size(), 500u);
   EXPECT_EQ(choice.grid.front(), 1);
+}
+
+TEST(FrequencyChoice, SpreadsLinesOverABroadSpectrum) {
+  ExplorationProblem problem;  // one pole: the spectrum has its only peak at the lowest harmonic
+  problem.B = Eigen::MatrixXd::Ones(1, 1);
+  problem.gamma_w = 1.0;
+  problem.D_des = Eigen::MatrixXd::Constant(1, 1, 10.0);
+  for (const double pole : {0.5, 0.7, 0.9}) {
+    problem.A = Eigen::MatrixXd::Constant(1, 1, pole);
+    problem.lines = {100, {1}, {}};
+    problem.lines.harmonics = chooseFrequencies(problem).harmonics;
+    // sqrt(2 γ_w λ/T) is what the information on B costs with any lines; neighbours of the peak
+    // cost 1.2 to 3.6 times as much.
+    EXPECT_LT(designExploration(problem).gamma_e, 1.01 * std::sqrt(2.0 * 10.0 / 100.0)) << pole;
+  }
 }
 
 TEST(FrequencyChoice, LooksAtUnknownEntriesAlone) {

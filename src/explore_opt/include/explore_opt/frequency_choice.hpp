@@ -28,7 +28,8 @@ struct FrequencyChoice {
 /// M(p) = Σ p_h (T/2) Re(V_h V_hᴴ), V_h = [(e^{jω}I - A - BK)⁻¹B; …] (math.md 9), normalised by
 /// D_des; with known entries a block of it for each set of regressors unknown in some row of [A B].
 /// The spectrum minimises tr M^{-3} (Kiefer's criterion between A- and E-optimality) by
-/// multiplicative steps; lines are the peaks of what it uses, each standing for its neighbourhood.
+/// multiplicative steps; lines are the peaks of what it uses, each standing for its neighbourhood,
+/// and where these are too few the middles of the neighbourhoods with most power beside their line.
 /// Transients are not seen: the design that follows takes them into account.
 /// The problem's own lines play no part. @throws quad_support::DataError for options out of range;
 /// quad_support::NegativeAnswer if A + BK is unstable (there is no steady state: add K), or if no
