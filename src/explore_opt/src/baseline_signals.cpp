@@ -28,37 +28,11 @@ constexpr std::array<NamedKind, 7> kNames = {{{BaselineKind::kWhite, "white"},
                                               {BaselineKind::kRandomPhase, "random_phase"},
                                               {BaselineKind::kLine, "line"}}};
 
-/// Feedback taps of primitive polynomials: bit n of a mask stands for x^n.
-std::uint32_t feedbackMask(int order) {
-  static const std::array<std::vector<int>, 25> kTaps = {{{},
-                                                          {},
-                                                          {2, 1},
-                                                          {3, 2},
-                                                          {4, 3},
-                                                          {5, 3},
-                                                          {6, 5},
-                                                          {7, 6},
-                                                          {8, 6, 5, 4},
-                                                          {9, 5},
-                                                          {10, 7},
-                                                          {11, 9},
-                                                          {12, 11, 10, 4},
-                                                          {13, 12, 11, 8},
-                                                          {14, 13, 12, 2},
-                                                          {15, 14},
-                                                          {16, 15, 13, 4},
-                                                          {17, 14},
-                                                          {18, 11},
-                                                          {19, 18, 17, 14},
-                                                          {20, 17},
-                                                          {21, 19},
-                                                          {22, 21},
-                                                          {23, 18},
-                                                          {24, 23, 22, 17}}};
-  std::uint32_t mask = 0;
-  for (const int tap : kTaps[static_cast<std::size_t>(order)]) mask |= 1u << (tap - 1);
-  return mask;
-}
+/// Feedback taps of primitive polynomials by order: bit n - 1 stands for x^n.
+constexpr std::array<std::uint32_t, 25> kFeedback = {
+    0,       0,       0x3,     0x6,      0xc,      0x14,     0x30,    0x60,   0xb8,
+    0x110,   0x240,   0x500,   0xe08,    0x1c80,   0x3802,   0x6000,  0xd008, 0x12000,
+    0x20400, 0x72000, 0x90000, 0x140000, 0x300000, 0x420000, 0xe10000};
 
 int parity(std::uint32_t bits) {
   int odd = 0;
@@ -302,7 +276,7 @@ std::vector<int> maximumLengthSequence(int order, std::uint32_t start, int lengt
   require(start >= 1 && start < (1u << order), "start = {}; must be 1 to {}", start,
           (1u << order) - 1);
   require(length >= 0, "length = {}; must be 0 or above", length);
-  const std::uint32_t mask = feedbackMask(order), all = (1u << order) - 1;
+  const std::uint32_t mask = kFeedback[static_cast<std::size_t>(order)], all = (1u << order) - 1;
   std::vector<int> bits(static_cast<std::size_t>(length));
   std::uint32_t state = start;
   for (int& bit : bits) {
