@@ -4,6 +4,7 @@ import html
 import multiprocessing
 import os
 import signal
+from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 
 import jinja2
@@ -18,18 +19,22 @@ HERE = os.path.dirname(os.path.realpath(__file__))
 UNUSABLE = (KeyError, TypeError, ValueError, IndexError, ArithmeticError, AttributeError, np.linalg.LinAlgError)
 
 
-def write(results, pdf=False, wallclock=""):
-    """Writes report.html and figures/ into the results directory; returns the page's path and one line per gap."""
-    run = Run(results)
+def write(results, aside, pdf=False, wallclock=""):
+    """Writes report.html, figures/ and what report/ lacks into the folder `aside`.
+
+    Returns {"gaps": one line for each figure that cannot be drawn, "stale": files of an earlier report that do not belong to this one}.
+    """
+    run = Run(results, aside)
     if wallclock:
         supplement.keep_wallclock(run, wallclock)
     supplement.prepare(run)
     # Figures do not know of each other, so each core draws some; which one does not show in the bytes.
-    with multiprocessing.get_context("fork").Pool(min(os.cpu_count() or 1, 8), die_with_parent) as pool:
-        drawn = pool.map(partial(draw, run, pdf=pdf), range(len(figures.ENTRIES)), chunksize=1)
-    page = os.path.join(results, "report.html")
-    supplement.write(page, render(run, drawn))
-    return page, ["%s: not drawn, %s" % (d["name"], d["gap"]) for d in drawn if d["gap"]]
+    with ProcessPoolExecutor(min(os.cpu_count() or 1, 8), multiprocessing.get_context("fork"), die_with_parent) as pool:
+        drawn = list(pool.map(partial(draw, run, pdf=pdf), range(len(figures.ENTRIES))))
+    supplement.write(os.path.join(aside, "report.html"), render(run, drawn))
+    gaps = [d for d in drawn if d["gap"]]
+    return {"gaps": ["%s: not drawn, %s" % (d["name"], d["gap"]) for d in gaps],
+            "stale": [os.path.join("figures", d["name"] + ending) for d in gaps for ending in (".svg", ".pdf")]}
 
 
 def die_with_parent():
@@ -42,7 +47,7 @@ def draw(run, index, pdf):
     entry = figures.ENTRIES[index]
     found = {"name": entry.name, "number": entry.number, "title": entry.title, "section": entry.section, "wide": entry.wide,
              "gap": "", "svg": "", "caption": ""}
-    path = run.file("figures", entry.name)
+    path = os.path.join(run.aside, "figures", entry.name)
     style.use()
     fig = None
     try:
@@ -62,10 +67,6 @@ def draw(run, index, pdf):
             style.close(fig)
         else:
             style.plt.close("all")   # begun, not finished
-    if found["gap"]:
-        for old in (path + ".svg", path + ".pdf"):
-            if os.path.exists(old):
-                os.remove(old)
     return found
 
 

@@ -96,10 +96,10 @@ class Model:
 
 
 class Run:
-    """A results directory; summary.json and config.yaml must be there, everything else may be missing."""
+    """A results directory; summary.json and config.yaml must be there, everything else may be missing. New files go `aside`."""
 
-    def __init__(self, path):
-        self.path = path
+    def __init__(self, path, aside):
+        self.path, self.aside = path, aside
         try:
             self.summary = read_json(self.file("summary.json"))
             with open(self.file("config.yaml"), encoding="utf-8") as file:

@@ -47,27 +47,32 @@ def call(command, good=(0, 3)):
         raise Gap("%s %s ended with exit code %d: %s" % (os.path.basename(command[0]), command[1], done.returncode, lines[0]))
 
 
+def made(run, name):
+    """The path of report/<name>, where it has been made: by an earlier report or, aside, by this one; else None."""
+    for path in (os.path.join(run.aside, FOLDER, name), run.file(FOLDER, name)):
+        if os.path.exists(path):
+            return path
+    return None
+
+
 def kept(run, name, make):
-    """The path of <results>/report/<name>; make(folder) returns its content where it is not there yet."""
-    path = run.file(FOLDER, name)
-    if not os.path.exists(path):
+    """The path of report/<name>; make(folder) returns its content where it is not there yet."""
+    path = made(run, name)
+    if not path:
         with tempfile.TemporaryDirectory(prefix="quad_report.") as folder:
             text = make(folder)
+        path = os.path.join(run.aside, FOLDER, name)
         write(path, text)
     return path
 
 
 def write(path, data):
-    """Whole or not at all."""
+    """Whole or not at all, for those who look while it is written."""
     os.makedirs(os.path.dirname(path), exist_ok=True)
-    aside = "%s.partial-%d" % (path, os.getpid())
-    try:
-        with open(aside, "wb") as file:
-            file.write(data if isinstance(data, bytes) else data.encode())
-        os.replace(aside, path)
-    finally:
-        if os.path.exists(aside):
-            os.remove(aside)
+    part = "%s.partial-%d" % (path, os.getpid())
+    with open(part, "wb") as file:
+        file.write(data if isinstance(data, bytes) else data.encode())
+    os.replace(part, path)
 
 
 def text_of(*names):
@@ -151,15 +156,15 @@ def keep_wallclock(run, results):
     source = os.path.join(results, "targeted", "timing.csv")
     if not os.path.exists(source):
         raise FileNotFoundError("%s: no such file; --wallclock wants a run of config/wallclock.yaml" % source)
-    os.makedirs(run.file(FOLDER), exist_ok=True)
-    shutil.copyfile(source, run.file(FOLDER, "wallclock_timing.csv"))
+    os.makedirs(os.path.join(run.aside, FOLDER), exist_ok=True)
+    shutil.copyfile(source, os.path.join(run.aside, FOLDER, "wallclock_timing.csv"))
 
 
 def wallclock_timing(run):
     """(columns of timing.csv, whether they are this run's own)."""
     if run.wallclock:
         return read_columns(run.file("targeted", "timing.csv")), True
-    path = run.file(FOLDER, "wallclock_timing.csv")
-    if os.path.exists(path):
+    path = made(run, "wallclock_timing.csv")
+    if path:
         return read_columns(path), False
     raise Gap("a lock-step run has no service delay")

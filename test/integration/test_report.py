@@ -5,12 +5,13 @@ import json
 import os
 import re
 import shutil
+import signal
 import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from flights import ROOT, FlightCase, program, shipped
+from flights import ROOT, FlightCase, processes_with, program, shipped
 
 REPORT = os.path.join(ROOT, "scripts", "report")
 LARGEST = 2_000_000    # bytes of report.html
@@ -196,6 +197,36 @@ class Report(FlightCase):
             answer = self.report(self.path("run"), code=2)
             self.assertRegex(answer.stderr, "^scripts/report: .*run is not a finished run: ")
             self.assertEqual(answer.stderr.count("\n"), 1)
+
+    def test_interrupted_while_programs_run(self):
+        run = self.flown()
+        shutil.rmtree(os.path.join(run, "report"))
+        self.assert_interrupt_leaves_nothing(run, lambda mine: any("lib/quad_experiment/" in line for line in mine), signal.SIGINT)
+
+    def test_interrupted_while_figures_are_drawn(self):
+        run = self.flown()
+        shutil.rmtree(os.path.join(run, "figures"))
+        os.remove(os.path.join(run, "report.html"))
+        for wanted, number in ((1, signal.SIGINT), (2, signal.SIGTERM)):   # nothing, or something, is already there
+            def some_are_drawn():
+                return len([n for _, _, names in os.walk(run) for n in names if n.endswith(".svg")]) >= wanted
+            self.assert_interrupt_leaves_nothing(run, lambda mine: some_are_drawn(), number)
+
+    def assert_interrupt_leaves_nothing(self, run, condition, number):
+        """Neither processes nor files, when the interrupt comes with `condition(command lines of what runs)`."""
+        before = self.files(run)
+        process = self.start([REPORT, run])
+        self.wait_until(lambda: condition(processes_with(self.folder).values()), process)
+        process.send_signal(number)
+        answer = self.finish(process)
+        self.assertEqual((answer.code, answer.stdout), (128 + number, ""), answer)
+        self.assertEqual(answer.stderr, "scripts/report: interrupted; %s is as it was\n" % run)
+        self.assertEqual(self.files(run), before)
+        self.assertEqual(os.listdir(self.path("tmp")), [])
+
+    @staticmethod
+    def files(run):
+        return sorted(os.path.join(folder, name) for folder, folders, names in os.walk(run) for name in folders + names)
 
     def wallclock_timing(self, name):
         """A results directory with the timing of a flight on the wall clock."""
