@@ -41,13 +41,6 @@ std::string place(const std::string& file, int line) {
   return line > 0 ? fmt::format("{}:{}", file, line) : file;
 }
 
-std::string valueText(const YAML::Node& node) {
-  if (node.IsScalar()) return node.Scalar();
-  YAML::Emitter out;
-  out << YAML::Flow << node;
-  return out.c_str();
-}
-
 // The YAML core schema's words for what parseDouble() leaves out, so that the message can say "nan"
 // and not "text".
 double scalarToDouble(const std::string& text) {
@@ -55,6 +48,57 @@ double scalarToDouble(const std::string& text) {
   if (text == ".inf" || text == "+.inf") return HUGE_VAL;
   if (text == "-.inf") return -HUGE_VAL;
   return parseDouble(text);
+}
+
+bool isNumber(const std::string& text) {
+  try {
+    scalarToDouble(text);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+bool isQuoted(const YAML::Node& node) { return node.IsScalar() && node.Tag() == "!"; }
+
+void emit(YAML::Emitter& out, const YAML::Node& node) {
+  if (node.IsSequence()) {
+    out << YAML::Flow << YAML::BeginSeq;
+    for (const auto& entry : node) emit(out, entry);
+    out << YAML::EndSeq;
+  } else if (node.IsMap()) {
+    out << YAML::Flow << YAML::BeginMap;
+    for (const auto& entry : node) {
+      out << YAML::Key;
+      emit(out, entry.first);
+      out << YAML::Value;
+      emit(out, entry.second);
+    }
+    out << YAML::EndMap;
+  } else if (node.IsScalar()) {
+    const std::string& text = node.Scalar();
+    // Without its quotes this text would be something else.
+    if (isQuoted(node) && (isNumber(text) || text == "true" || text == "false"))
+      out << YAML::DoubleQuoted;
+    out << text;
+  } else {
+    out << YAML::Null;
+  }
+}
+
+/// On one line, however it stands in the file.
+std::string flow(const YAML::Node& node) {
+  YAML::Emitter out;
+  emit(out, node);
+  return out.c_str();
+}
+
+/// For a message: as flow(), with no more quotes than a reader needs.
+std::string valueText(const YAML::Node& node) {
+  const bool plain = node.IsScalar() && !isQuoted(node);
+  const bool one_line = node.IsScalar() && node.Scalar().find('\n') == std::string::npos;
+  const bool text = one_line && !node.Scalar().empty() && !isNumber(node.Scalar());
+  return plain || text ? node.Scalar() : flow(node);
 }
 
 }  // namespace
@@ -103,7 +147,15 @@ namespace {
 
 YAML::Node parseYaml(const std::string& text, const std::string& name) {
   try {
-    return YAML::Load(text);
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    for (std::size_t i = 1; i < documents.size(); ++i) {
+      if (documents[i].IsNull()) continue;  // nothing is lost with it
+      throw ConfigError(
+          fmt::format("{}:{}: a second YAML document begins here; remove the line "
+                      "'---' before it, or what follows",
+                      name, lineOf(documents[i])));
+    }
+    return documents.empty() ? YAML::Node() : documents[0];
   } catch (const YAML::Exception& e) {
     throw ConfigError(fmt::format("{}:{}: not valid YAML: {}", name, e.mark.line + 1, e.msg));
   }
@@ -162,12 +214,6 @@ void applyOverride(const YAML::Node& root, const std::string& name, const Overri
     }
   }
   at = unmarked(parseYaml(o.value, o.key));
-}
-
-std::string flow(const YAML::Node& node) {
-  YAML::Emitter out;
-  out << YAML::Flow << node;
-  return out.c_str();
 }
 
 }  // namespace
@@ -234,8 +280,7 @@ YAML::Node require(const Reader& reader, const Entries& entries, const std::stri
 
 /// The scalar as written; empty for what is no plain scalar: a list, a map, a text in quotes.
 std::string plainScalar(const YAML::Node& node) {
-  const bool quoted = node.Tag() == "!";
-  return node.IsScalar() && !quoted ? node.Scalar() : "";
+  return node.IsScalar() && !isQuoted(node) ? node.Scalar() : "";
 }
 
 double toNumber(const ConfigReader& reader, const YAML::Node& node, const std::string& key,

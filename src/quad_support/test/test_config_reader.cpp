@@ -81,13 +81,44 @@ TEST(ConfigReader, WhatIsNoFiniteNumberIsSaidToBeNone) {
   EXPECT_EQ(messageOf([&] { c.numbers("c", Range::open(0, 2, "m")); }),
             "c.yaml:3: c[1] = -.inf; must be a finite number in (0, 2) m");
   EXPECT_EQ(messageOf([&] { c.number("d", Range::any()); }),
-            "c.yaml:4: d = 5; must be a finite number");
+            "c.yaml:4: d = \"5\"; must be a finite number");
 }
 
 TEST(ConfigReader, BrokenYamlNamesTheLine) {
   EXPECT_EQ(messageOf([] { parse("a: 1\n  b: 2\n"); }).substr(0, 9), "c.yaml:2:");
   EXPECT_EQ(messageOf([] { parse("just text\n"); }),
             "c.yaml:1: the file must be a map of keys and values");
+}
+
+TEST(ConfigReader, ASecondDocumentIsRefused) {
+  EXPECT_EQ(messageOf([] { parse("a: 1\n---\n# more\nb: 2\n"); }),
+            "c.yaml:4: a second YAML document begins here; remove the line '---' before it, or "
+            "what follows");
+  EXPECT_NE(messageOf([] { parse("---\n---\na: 1\n"); }).find("c.yaml:3: a second YAML document"),
+            std::string::npos);
+  EXPECT_EQ(parse("---\na: 1\n...\n---\n").number("a", Range::any()), 1.0);
+  EXPECT_EQ(messageOf([] { parse(""); }), "c.yaml:1: the file must be a map of keys and values");
+}
+
+TEST(ConfigReader, ValuesStandOnOneLineInComplaints) {
+  const auto c = parse("list:\n  - 1\n  - {x: '2'}\nmap:\n  y:\n    - 3\ntext: |\n  4\n  5\n");
+  EXPECT_EQ(messageOf([&] { c.number("list", Range::any()); }),
+            "c.yaml:2: list = [1, {x: \"2\"}]; must be a finite number");
+  EXPECT_EQ(messageOf([&] { c.number("map", Range::any()); }),
+            "c.yaml:5: map = {y: [3]}; must be a finite number");
+  EXPECT_EQ(messageOf([&] { c.number("text", Range::any()); }),
+            "c.yaml:7: text = \"4\\n5\\n\"; must be a finite number");
+  EXPECT_EQ(c.value("list"), "[1, {x: \"2\"}]");
+}
+
+TEST(ConfigReader, ANumberInQuotesIsShownInQuotes) {
+  const auto c = parse("a: \"20\"\nb: 'sin'\nc: ['1']\nd: ''\n");
+  EXPECT_EQ(messageOf([&] { c.number("a", Range::any()); }),
+            "c.yaml:1: a = \"20\"; must be a finite number");
+  EXPECT_EQ(messageOf([&] { c.choice("b", {"cos"}); }), "c.yaml:2: b = sin; must be one of: cos");
+  EXPECT_EQ(messageOf([&] { c.integers("c", 0, 9); }),
+            "c.yaml:3: c[0] = \"1\"; must be a whole number in 0..9");
+  EXPECT_EQ(messageOf([&] { c.text("d"); }), "c.yaml:4: d = \"\"; must not be empty");
 }
 
 TEST(ConfigReader, OverridesReplaceValuesAndKeepTheirLines) {
