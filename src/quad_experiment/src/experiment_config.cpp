@@ -89,6 +89,24 @@ void requireFlyable(const quad_sim::SimulationConfig& simulation) {
   }
 }
 
+/// The hold is at least one interval and, where time advances by whole intervals, ends with one.
+void requireHold(const ConfigReader& control, const ExperimentConfig& c) {
+  constexpr double kRounding = 1e-9;  // of 0.3 / 0.1 and the like
+  const double period = c.timing.sampling_period;
+  const double intervals = c.control.hold_time / period;
+  const double whole = std::round(intervals);
+  if (intervals < 1.0 - kRounding)
+    control.fail("hold_time", fmt::format("must be at least one interval of {} s", period));
+  if (c.timing.mode == quad_control::TimingMode::kLockstep &&
+      std::abs(intervals - whole) > kRounding * whole) {
+    control.fail(
+        "hold_time",
+        fmt::format(
+            "must be a whole number of timing.sampling_period = {} s ({:.9g} s or {:.9g} s)",
+            period, std::floor(intervals) * period, std::ceil(intervals) * period));
+  }
+}
+
 /// What the controllers would refuse when the flight begins, said where the settings are.
 void requireFlight(const ConfigReader& in, const ExperimentConfig& c) {
   const quad_sim::VehicleModel& vehicle = c.vehicle();
@@ -96,10 +114,7 @@ void requireFlight(const ConfigReader& in, const ExperimentConfig& c) {
   if (!(gravity > 0.0))
     in.section("simulation")
         .fail("gravity", "must be > 0 m/s^2: without weight there is nothing to hold");
-  if (std::llround(c.control.hold_time / c.timing.sampling_period) < 1) {
-    in.section("control").fail("hold_time", fmt::format("must be at least one interval of {} s",
-                                                        c.timing.sampling_period));
-  }
+  requireHold(in.section("control"), c);
   const double feedforward = c.estimate.parameters.mass * gravity;
   const double max_thrust = quad_control::Mixer(quad_control::rotorGeometry(vehicle)).maxThrust();
   if (feedforward >= max_thrust) {
