@@ -13,7 +13,7 @@ import xml.etree.ElementTree as ElementTree
 
 from flights import ROOT, FlightCase, processes_with, program, shipped
 
-REPORT = os.path.join(ROOT, "scripts", "report")
+REPORT, PICTURE = os.path.join(ROOT, "scripts", "report"), os.path.join(ROOT, "scripts", "picture")
 LARGEST = 2_000_000    # bytes of report.html
 HOSTILE = "<script>alert('$\\frac')</script><img src=x onerror=alert(1)>"
 GRAPH = {"nodes": ["/gazebo", "/controller" + HOSTILE],
@@ -227,6 +227,26 @@ class Report(FlightCase):
     @staticmethod
     def files(run):
         return sorted(os.path.join(folder, name) for folder, folders, names in os.walk(run) for name in folders + names)
+
+    def test_pictures(self):
+        run = self.flown()
+        for name, head in (("x.svg", b"<?xml"), ("x.png", b"\x89PNG"), ("new/x.pdf", b"%PDF-")):
+            answer = self.finish(self.start([PICTURE, run, "--out", self.path(name)]))
+            self.assertEqual((answer.code, answer.stdout, answer.stderr), (0, "", ""))
+            with open(self.path(name), "rb") as file:
+                self.assertEqual(file.read(len(head)), head)
+        self.write("file", "")
+        self.write("summary.json", "{}")
+        before = self.files(self.folder)
+        for results, out, code, words in ((run, self.path("x.foo"), 2, "must end in .svg"), (run, "/dev/full", 2, "must end in .svg"),
+                                          (run, self.folder + "/run", 2, "must end in"), (run, "/proc/x.svg", 5, "cannot be written"),
+                                          (run, self.path("file", "x.svg"), 5, "cannot be written"),
+                                          (self.folder, self.path("y.svg"), 2, "is not a finished run"),
+                                          (self.path("none"), self.path("y.svg"), 2, "is not a finished run")):
+            answer = self.finish(self.start([PICTURE, results, "--out", out]))
+            self.assertEqual((answer.code, answer.stdout, answer.stderr.count("\n")), (code, "", 1), answer)
+            self.assertRegex(answer.stderr, "^scripts/picture: .*" + words)
+        self.assertEqual(self.files(self.folder), before)
 
     def wallclock_timing(self, name):
         """A results directory with the timing of a flight on the wall clock."""
