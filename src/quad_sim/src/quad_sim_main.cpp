@@ -123,6 +123,17 @@ quad_sim::Simulator makeSimulator(const quad_sim::VehicleModel& model,
   }
 }
 
+/// Starts from the state in the file, whose contents are complained about with its name.
+void startFrom(const std::string& file, quad_sim::Simulator& simulator) {
+  const auto table = quad_support::CsvTable::read(file);
+  const quad_sim::VehicleState start = quad_sim::readState(table, simulator.model().rotors.size());
+  try {
+    simulator.setStartState(start);
+  } catch (const std::invalid_argument& e) {
+    throw std::invalid_argument(table.place(0) + ": " + e.what());
+  }
+}
+
 int simulate(const SimulateArguments& a) {
   quad_sim::SimulatorOptions options;
   options.step = a.step;
@@ -155,11 +166,14 @@ int simulate(const SimulateArguments& a) {
   const auto commands = quad_sim::readCommands(quad_support::CsvTable::read(a.commands), rotors);
   quad_sim::Simulator simulator = makeSimulator(model, options);
   const std::int64_t steps = countSteps(a, simulator.stepNanoseconds());
-  quad_sim::VehicleState start;
-  start.p_WB.z() = 0.06;  // where the Hummingbird rests on the ground
-  start.rotor_speed.assign(rotors, 0.0);
-  if (!a.state.empty()) start = quad_sim::readState(quad_support::CsvTable::read(a.state), rotors);
-  simulator.setStartState(start);
+  if (a.state.empty()) {
+    quad_sim::VehicleState start;
+    start.p_WB.z() = 0.06;  // where the Hummingbird rests on the ground
+    start.rotor_speed.assign(rotors, 0.0);
+    simulator.setStartState(start);
+  } else {
+    startFrom(a.state, simulator);
+  }
   quad_support::writeFileAtomically(a.out, quad_sim::replay(simulator, commands, steps, a.every));
   if (simulator.commandCounts().clamped > 0) {
     std::fprintf(stderr, "quad_sim: note: %lld commands were clamped to [0, max speed]\n",

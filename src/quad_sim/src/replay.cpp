@@ -23,10 +23,9 @@ std::vector<std::string> stateColumns(std::size_t rotors) {
   return names;
 }
 
-void checkColumns(const CsvTable& table, const std::vector<std::string>& wanted,
-                  const std::string& what) {
+void checkColumns(const CsvTable& table, const std::vector<std::string>& wanted) {
   if (table.columns() == wanted) return;
-  throw DataError(fmt::format("{}: columns are {}; must be {}", what,
+  throw DataError(fmt::format("{}: columns are {}; must be {}", table.source(),
                               fmt::join(table.columns(), ","), fmt::join(wanted, ",")));
 }
 
@@ -51,20 +50,20 @@ void appendRow(const Simulator& simulator, VehicleState& state, std::string& csv
 std::vector<TimedCommand> readCommands(const CsvTable& table, std::size_t rotors) {
   std::vector<std::string> wanted = {"t"};
   for (std::size_t i = 0; i < rotors; ++i) wanted.push_back(fmt::format("w{}", i));
-  checkColumns(table, wanted, "commands");
+  checkColumns(table, wanted);
   std::vector<TimedCommand> commands;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double t = table.number(row, "t");
     constexpr double kLatest = 1e9;  // [s]; what fits the integer time with room to spare
     if (!(t >= 0) || t > kLatest) {
-      throw DataError(fmt::format("commands: row {}: t = {} s; must lie in [0, {}]", row + 1,
+      throw DataError(fmt::format("{}: t = {} s; must lie in [0, {}]", table.place(row),
                                   quad_support::shortest(t), quad_support::shortest(kLatest)));
     }
     TimedCommand command;
     command.time_ns = std::llround(t * 1e9);
     if (!commands.empty() && command.time_ns <= commands.back().time_ns) {
-      throw DataError(fmt::format("commands: row {}: t = {} s; must be later than the row before",
-                                  row + 1, quad_support::shortest(t)));
+      throw DataError(fmt::format("{}: t = {} s; must be later than the row before",
+                                  table.place(row), quad_support::shortest(t)));
     }
     for (std::size_t i = 0; i < rotors; ++i)
       command.rotor_speed.push_back(table.number(row, wanted[i + 1]));
@@ -75,8 +74,9 @@ std::vector<TimedCommand> readCommands(const CsvTable& table, std::size_t rotors
 
 VehicleState readState(const CsvTable& table, std::size_t rotors) {
   const std::vector<std::string> columns = stateColumns(rotors);
-  checkColumns(table, columns, "state");
-  if (table.rows() != 1) throw DataError(fmt::format("state: {} rows; must be one", table.rows()));
+  checkColumns(table, columns);
+  if (table.rows() != 1)
+    throw DataError(fmt::format("{}: {} rows; must be one", table.source(), table.rows()));
   const auto get = [&](const char* name) { return table.number(0, name); };
   VehicleState state;
   state.p_WB = {get("x"), get("y"), get("z")};

@@ -74,10 +74,11 @@ TEST(Replay, BadTablesAreNamed) {
     return complaint<quad_support::DataError>(
         [&] { readCommands(CsvTable::parse(text, "c.csv"), 4); });
   };
-  EXPECT_THAT(says("t,w0,w1,w2\n"), HasSubstr("must be t,w0,w1,w2,w3"));
+  EXPECT_THAT(says("t,w0,w1,w2\n"),
+              HasSubstr("c.csv: columns are t,w0,w1,w2; must be t,w0,w1,w2,w3"));
   EXPECT_THAT(says("t,w0,w1,w2,w3\n0,1,1,1,1\n0,1,1,1,1\n"),
-              HasSubstr("row 2: t = 0 s; must be later"));
-  EXPECT_THAT(says("t,w0,w1,w2,w3\n-1,1,1,1,1\n"), HasSubstr("t = -1 s"));
+              HasSubstr("c.csv:3: t = 0 s; must be later"));
+  EXPECT_THAT(says("t,w0,w1,w2,w3\n-1,1,1,1,1\n"), HasSubstr("c.csv:2: t = -1 s"));
   EXPECT_THAT(says("t,w0,w1,w2,w3\n0,1,x,1,1\n"), HasSubstr("w1"));
 }
 
@@ -161,6 +162,21 @@ TEST_F(Program, BadInputIsExitTwoAndLeavesNoFile) {
     SCOPED_TRACE(arguments);
     EXPECT_EQ(call(arguments), 2);
     EXPECT_THAT(errors(), HasSubstr(text));
+    EXPECT_FALSE(fs::exists(path("o.csv")));
+  }
+}
+
+TEST_F(Program, AStartOutOfRangeIsNamedWithItsFile) {
+  const std::string header = "x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,w0,w1,w2,w3\n";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {header + "0,0,1,1,0,0,0,0,0,0,0,0,0,0,0,-1,0\n", "x0.csv:2: vehicle state: rotor_speed[2]"},
+      {header, "x0.csv: 0 rows; must be one"},
+      {"x,y\n0,0\n", "x0.csv: columns are x,y; must be"},
+  };
+  for (const auto& [text, complaint] : cases) {
+    quad_support::writeFileAtomically(path("x0.csv"), text);
+    EXPECT_EQ(call(usual() + " --duration 1 --state " + path("x0.csv")), 2);
+    EXPECT_THAT(errors(), HasSubstr(complaint));
     EXPECT_FALSE(fs::exists(path("o.csv")));
   }
 }

@@ -68,6 +68,10 @@ bool CsvTable::has(const std::string& column) const {
   return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
 }
 
+std::string CsvTable::place(std::size_t row) const {
+  return fmt::format("{}:{}", source_, lines_.at(row));
+}
+
 std::size_t CsvTable::indexOf(const std::string& column) const {
   const auto it = std::find(columns_.begin(), columns_.end(), column);
   if (it == columns_.end()) {
@@ -88,8 +92,8 @@ double CsvTable::number(std::size_t row, const std::string& column) const {
     if (std::isfinite(value)) return value;
   } catch (const std::invalid_argument&) {  // said below, with file and line
   }
-  throw DataError(fmt::format("{}:{}: column {} holds '{}', not a finite number", source_,
-                              lines_[row], column, cell));
+  throw DataError(
+      fmt::format("{}: column {} holds '{}', not a finite number", place(row), column, cell));
 }
 
 }  // namespace quad_support

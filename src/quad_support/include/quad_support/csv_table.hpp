@@ -20,6 +20,8 @@ class CsvTable {
   std::size_t rows() const { return rows_.size(); }
   const std::vector<std::string>& columns() const { return columns_; }
   bool has(const std::string& column) const;
+  const std::string& source() const { return source_; }
+  std::string place(std::size_t row) const;  ///< "file:line", for a message
 
   /// The cell as text. @throws DataError if there is no such column (lists those there are)
   const std::string& text(std::size_t row, const std::string& column) const;
