@@ -1,4 +1,5 @@
 """How a run ends: exit codes, the exceptions that end it, and the one line that says why."""
+import os
 import sys
 
 DONE, BAD_INPUT, NEGATIVE_ANSWER, SIMULATION_FAILED, ENVIRONMENT = 0, 2, 3, 4, 5
@@ -24,6 +25,16 @@ class Interrupted(BaseException):
 
 def say(message):
     try:
-        print("scripts/experiment: %s" % message, file=sys.stderr, flush=True)
+        print("scripts/%s: %s" % (os.path.basename(sys.argv[0]), message), file=sys.stderr, flush=True)
     except OSError:
         pass   # nobody listens
+
+
+def tell(text, kept):
+    """Writes to stdout, now; `kept` says where the same is to be found: "the results stand in D"."""
+    try:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())   # or Python would try, and complain, again at its end
+        raise Failure(ENVIRONMENT, "standard output cannot be written (%s); %s" % (error.strerror, kept))

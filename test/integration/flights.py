@@ -117,9 +117,8 @@ class FlightCase(unittest.TestCase):
 
     def start(self, command, env=None, **options):
         env = dict(env or self.environment, TMPDIR=self.path("tmp"), **{MARK: self.folder})
-        options.setdefault("stderr", subprocess.PIPE)
-        return subprocess.Popen(command, cwd=self.folder, env=env, text=True, stdin=subprocess.DEVNULL,
-                                stdout=subprocess.PIPE, **options)
+        options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **options}
+        return subprocess.Popen(command, cwd=self.folder, env=env, text=True, stdin=subprocess.DEVNULL, **options)
 
     def finish(self, process, limit=120):
         """Waits for the end. Nothing that was started may be left then."""

@@ -5,7 +5,7 @@ import os
 import re
 import unittest
 
-from flights import DEVEL, FlightCase, program, shipped
+from flights import DEVEL, RUNNER, FlightCase, program, shipped
 
 
 def built_urdf():
@@ -40,6 +40,21 @@ class Answers(FlightCase):
                 self.assertEqual((summary["ok"], summary["exit_code"]), (False, 3))
                 self.assertFalse(summary["targeted"]["exploration_condition"])
                 self.assertEqual(summary["log_sha256"], results.hashes())
+
+    def test_a_stdout_that_cannot_be_written(self):
+        self.write("smoke.yaml", shipped("smoke.yaml", ("comparison: [gaussian]", "comparison: []")))
+        own = program("quad_experiment", "quad_experiment")
+        for name, command in (("run", [own, "run"]), ("step", [own, "step", "--duration", "1"]), ("ros", [RUNNER])):
+            with self.subTest(name), open("/dev/full", "w") as full:
+                answer = self.finish(self.start([*command, "--config", "smoke.yaml", "--out", name], stdout=full))
+                self.assertEqual(answer.code, 5, answer)
+                self.assertRegex(answer.stderr.splitlines()[0], r"^\S+: standard output cannot be written "
+                                 r"\(No space left on device\); the results stand in %s$" % name)
+                self.assertTrue(os.path.exists(self.path(name, "config.yaml")))
+        with open("/dev/full", "w") as full:   # results or not
+            answer = self.finish(self.start([own, "--help"], stdout=full))
+        self.assertEqual(answer.code, 5, answer)
+        self.assertIn("standard output cannot be written", answer.stderr)
 
     def test_a_design_that_does_not_exist(self):
         # More information than any signal of finite numbers carries.

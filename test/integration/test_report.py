@@ -228,6 +228,17 @@ class Report(FlightCase):
     def files(run):
         return sorted(os.path.join(folder, name) for folder, folders, names in os.walk(run) for name in folders + names)
 
+    def test_a_stdout_that_cannot_be_written(self):
+        run = self.flown()
+        with open("/dev/full", "w") as full:
+            process = self.start([REPORT, run], stdout=full)
+        answer = self.finish(process)
+        self.assertEqual(answer.code, 5, answer)
+        page = os.path.join(run, "report.html")
+        self.assertEqual(answer.stderr.splitlines()[-1], "scripts/report: standard output cannot be written (No space left on "
+                                                         "device); the report stands in %s" % page)
+        self.assertTrue(os.path.exists(page))
+
     def test_pictures(self):
         run = self.flown()
         for name, head in (("x.svg", b"<?xml"), ("x.png", b"\x89PNG"), ("new/x.pdf", b"%PDF-")):

@@ -1,8 +1,12 @@
 #include "quad_support/program.hpp"
 
+#include <fmt/core.h>
+
+#include <cerrno>
 #include <clocale>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -22,7 +26,9 @@ int runProgram(const std::string& name, const std::function<int()>& body, std::s
     return code;
   };
   try {
-    return body();
+    const int code = body();
+    print("", "what it was to show is lost");
+    return code;
   } catch (const Interrupted& e) {
     return complain("interrupted; nothing was left half-written", 128 + e.signal());
   } catch (const std::invalid_argument& e) {
@@ -36,6 +42,14 @@ int runProgram(const std::string& name, const std::function<int()>& body, std::s
   } catch (const std::exception& e) {
     return complain(e.what(), kEnvironment);
   }
+}
+
+void print(const std::string& text, const std::string& kept) {
+  errno = 0;
+  const bool written = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+  if (written && std::ferror(stdout) == 0) return;
+  throw EnvironmentError(fmt::format("standard output cannot be written ({}); {}",
+                                     errno != 0 ? std::strerror(errno) : "full or closed", kept));
 }
 
 }  // namespace quad_support

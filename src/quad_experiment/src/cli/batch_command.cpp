@@ -12,6 +12,7 @@
 #include "quad_experiment/in_process_plant.hpp"
 #include "quad_support/atomic_file.hpp"
 #include "quad_support/errors.hpp"
+#include "quad_support/program.hpp"
 
 using namespace quad_experiment;
 using Json = nlohmann::ordered_json;
@@ -81,8 +82,7 @@ int batch(const BatchCommandOptions& o) {
     return quad_support::kDone;
   }
   const std::string results = o.out + "/results.csv";
-  std::fputs(batchDigest(results).c_str(), stdout);
-  std::printf("\nresults: %s\n", results.c_str());
+  tellResults(batchDigest(results) + "\n", results);
   return quad_support::kDone;
 }
 
@@ -116,12 +116,12 @@ int batchReplay(const BatchReplayOptions& o) {
   const std::string row = batchRow(
       spec, o.run, Json::parse(quad_support::readFile(results.workPath() + "/summary.json")));
   results.commit();
-  std::fputs(row.c_str(), stdout);
+  quad_support::print(row, "the results stand in " + results.path());
   if (!o.batch.empty() && row != rowIn(o.batch + "/results.csv", o.run)) {
     throw quad_support::EnvironmentError(
         fmt::format("run {} differs from its row in {}/results.csv: another build or machine?",
                     o.run, o.batch));
   }
-  std::printf("results: %s\n", results.path().c_str());
+  tellResults("", results.path());
   return result.exitCode();
 }

@@ -54,6 +54,10 @@ struct ExperimentConfig;
 /// Says on stderr what is flown a little differently than it is written.
 void tellNotes(const quad_experiment::ExperimentConfig& config);
 
+/// Shows `text` and where the results are. @throws quad_support::EnvironmentError if stdout cannot
+/// be written
+void tellResults(const std::string& text, const std::string& results);
+
 // All return an exit code and throw what quad_support::runProgram() understands.
 int run(const RunOptions& options);
 int check(const CheckOptions& options);

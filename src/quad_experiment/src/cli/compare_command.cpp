@@ -24,7 +24,6 @@ int compare(const CompareOptions& options) {
   results.write("comparison.csv", comparisonCsv(comparison));
   results.write("comparison.txt", text);
   results.commit();
-  std::fputs(text.c_str(), stdout);
-  std::printf("results: %s\n", results.path().c_str());
+  tellResults(text, results.path());
   return quad_support::kDone;
 }

@@ -14,6 +14,7 @@
 #include "quad_experiment/table.hpp"
 #include "quad_support/atomic_file.hpp"
 #include "quad_support/errors.hpp"
+#include "quad_support/program.hpp"
 
 namespace {
 
@@ -115,6 +116,6 @@ int percentiles(const PercentilesOptions& options) {
   }
   addFalsifications(sortedValues(runs, "random.G"), out);
   quad_support::writeFileAtomically(options.results + "/percentiles.json", out.json.dump(2) + "\n");
-  std::fputs(out.text.c_str(), stdout);
+  quad_support::print(out.text, "the results stand in " + options.results + "/percentiles.json");
   return quad_support::kDone;
 }

@@ -7,6 +7,7 @@
 #include "quad_experiment/in_process_plant.hpp"
 #include "quad_support/atomic_file.hpp"
 #include "quad_support/errors.hpp"
+#include "quad_support/program.hpp"
 
 namespace {
 
@@ -40,6 +41,10 @@ void tellNotes(const ExperimentConfig& config) {
     std::fprintf(stderr, "quad_experiment: note: %s\n", note.c_str());
 }
 
+void tellResults(const std::string& text, const std::string& results) {
+  quad_support::print(text + "results: " + results + "\n", "the results stand in " + results);
+}
+
 int run(const RunOptions& options) {
   const ExperimentConfig config = readExperimentConfig(options.config);
   if (config.timing.mode == quad_control::TimingMode::kWallclock) {
@@ -54,9 +59,9 @@ int run(const RunOptions& options) {
   InProcessPlant first(config), second(config);  // a world for each flight
   const ExperimentResult result =
       runExperiment(config, {&first, &second}, "in_process", results, ProgressLine());
-  std::fputs(quad_support::readFile(results.workPath() + "/table.txt").c_str(), stdout);
+  const std::string table = quad_support::readFile(results.workPath() + "/table.txt");
   results.commit();
-  std::printf("results: %s\n", results.path().c_str());
+  tellResults(table, results.path());
   if (!result.ok()) std::fprintf(stderr, "quad_experiment: %s\n", result.problem().c_str());
   return result.exitCode();
 }

@@ -48,14 +48,13 @@ int step(const StepOptions& options) {
         (row.state.odometry.p_WB.z() - spec.plan.references.z) * (options.height < 0 ? -1 : 1);
     overshoot = std::max(overshoot, error);
   }
-  std::printf(
-      "altitude step of %g m: final error %.3g m, overshoot %.3g m, final thrust %.6f N (m g = "
-      "%.6f N)\n",
-      options.height, trajectory.rows.back().state.odometry.p_WB.z() - spec.plan.references.z,
-      overshoot, before_last.command.thrust, weight);
-  std::printf("results: %s\n", results.path().c_str());
   const double final_error =
       trajectory.rows.back().state.odometry.p_WB.z() - spec.plan.references.z;
+  tellResults(
+      fmt::format("altitude step of {:g} m: final error {:.3g} m, overshoot {:.3g} m, final thrust "
+                  "{:.6f} N (m g = {:.6f} N)\n",
+                  options.height, final_error, overshoot, before_last.command.thrust, weight),
+      results.path());
   if (std::abs(final_error) <= kSettled * std::abs(options.height)) return quad_support::kDone;
   std::fprintf(
       stderr,
