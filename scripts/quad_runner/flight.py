@@ -9,9 +9,9 @@ import subprocess
 import sys
 import time
 
-from .answers import DONE, ENVIRONMENT, Failure, PortTaken, say
+from .answers import BAD_INPUT, DONE, ENVIRONMENT, Failure, PortTaken, say, tell
 from .processes import descendants, describe, die_with_parent, heed_interrupts, ignore_interrupts, kill_descendants, send
-from .workspace import ROOT
+from .workspace import LAUNCH, ROOT, full_disk
 
 GRACE = 1.0      # [s] that nodes get to end by themselves before they are killed
 POLL = 0.02      # [s]
@@ -85,8 +85,10 @@ class Run:
                 problem = "roslaunch was lost (%s)" % describe(self.process.returncode)
             if status is not None:
                 return self.verdict(status, self.problem_behind() if status[0] >= ENVIRONMENT else None)
+            if problem and self.refusal() and os.path.realpath(self.args.launch) != os.path.realpath(LAUNCH):
+                raise Failure(BAD_INPUT, "--launch %s: %s" % (self.args.launch, problem))
             if problem:
-                raise Failure(ENVIRONMENT, problem)
+                raise Failure(ENVIRONMENT, problem + full_disk(os.path.dirname(self.status_path)))
             if time.monotonic() > deadline:
                 self.ask_to_end()
                 raise Failure(ENVIRONMENT, "not finished after %g s; give a longer --timeout, or see the logs"
@@ -144,10 +146,12 @@ class Run:
         missing = re.search(r"cannot launch node of type \[(.+?)\]", text)
         if missing:
             return "program %s is not there; run: make build" % missing.group(1)
-        refused = re.search(r"(?:RLException|Invalid roslaunch XML syntax|Resource not found|while processing).*", text)
-        if refused and self.process.poll() is not None:
-            return "roslaunch refused to start: %s" % refused.group(0)
-        return None
+        return self.refusal()
+
+    def refusal(self):
+        """What roslaunch says of a launch file it does not take, or None."""
+        words = re.search(r"(?:RLException|Invalid roslaunch XML syntax|Resource not found|while processing).*", self.log_text)
+        return "roslaunch refused to start: %s" % words.group(0) if words and self.process.poll() is not None else None
 
     def last_words(self):
         lines = re.findall(r"^(?:quad_experiment_node|experiment): .*|^terminate called .*|^\s+what\(\): .*",
@@ -205,8 +209,8 @@ def read_status(path):
 def print_results(name, path):
     """The experiment's table and where the rest is: all that goes to stdout."""
     try:
-        with open(os.path.join(path, "table.txt"), encoding="utf-8") as table:
-            sys.stdout.write(table.read())
+        with open(os.path.join(path, "table.txt"), encoding="utf-8") as file:
+            table = file.read()
     except FileNotFoundError:
         raise Failure(ENVIRONMENT, "the experiment says it is done but there is no %s" % os.path.join(name, "table.txt"))
-    print("results: %s" % name, flush=True)
+    tell("%sresults: %s\n" % (table, name), "the results stand in %s" % name)

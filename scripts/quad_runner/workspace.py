@@ -42,12 +42,29 @@ def workspace_environment():
         shell = subprocess.run(["/bin/sh", "-c", '. "$1" >&2 && exec env -0', "sh", SETUP], env=env,
                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         if shell.returncode != 0:
-            raise Failure(ENVIRONMENT, "%s failed: %s; build again: make clean build"
-                          % (SETUP, last_line(shell.stderr) or "exit code %d" % shell.returncode))
+            raise Failure(ENVIRONMENT, "%s failed: %s%s"
+                          % (SETUP, last_line(shell.stderr) or "exit code %d" % shell.returncode,
+                             full_disk(env.get("TMPDIR", "/tmp")) or "; build again: make clean build"))
         env = dict(entry.split("=", 1) for entry in os.fsdecode(shell.stdout).split("\0") if "=" in entry)
     if not find_program(env):
         raise Failure(ENVIRONMENT, "the workspace is not built (no %s); run: make build" % PROGRAM)
     return env
+
+
+def full_disk(folder):
+    """Why nothing can be written into a temporary folder, for the end of a message; empty if it can."""
+    path = os.path.join(folder, "probe.%d" % os.getpid())
+    try:
+        with open(path, "wb") as file:
+            file.write(bytes(65536))
+        reason = ""
+    except OSError as error:
+        reason = "; nothing can be written into %s (%s): free some space, or name another folder in TMPDIR" % (folder, error.strerror)
+    try:
+        os.remove(path)
+    except OSError:
+        pass   # it was not made
+    return reason
 
 
 def find_program(env):

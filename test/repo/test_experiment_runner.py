@@ -4,6 +4,7 @@ import glob
 import json
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -64,14 +65,14 @@ class Runner(unittest.TestCase):
         with open(self.path("build/devel/setup.sh"), "a") as setup:
             setup.write('export PATH="%s:$PATH"\n' % folder)
 
-    def start(self, *arguments, stderr=subprocess.PIPE, environment=(), **fakes):
+    def start(self, *arguments, stderr=subprocess.PIPE, environment=(), before=None, **fakes):
         env = dict(os.environ, FAKE_PIDS=self.path("pids"), TMPDIR=self.path("tmp"))
         for name in ("CMAKE_PREFIX_PATH", "ROS_PACKAGE_PATH", "ROS_MASTER_URI", "PYTHONPATH"):
             env.pop(name, None)     # as in a shell that has sourced nothing
         env.update({"FAKE_" + name: task for name, task in fakes.items()}, **dict(environment))
         return subprocess.Popen([self.path("scripts/experiment"), "--config", "config.yaml", "--out", "results/run",
                                  *arguments], cwd=self.tree, env=env, stdin=subprocess.DEVNULL, text=True,
-                                stdout=subprocess.PIPE, stderr=stderr)
+                                stdout=subprocess.PIPE, stderr=stderr, preexec_fn=before)
 
     def finish(self, process, limit=30):
         """(exit code, stdout, stderr); nothing that was started may be left then."""
@@ -265,6 +266,18 @@ class Runner(unittest.TestCase):
         code, _, stderr = self.run_it()
         self.assertEqual(code, 5)
         self.assertIn("roslaunch refused to start", stderr)
+
+    def test_a_launch_file_that_is_none(self):
+        code, _, stderr = self.run_it("--launch", "config.yaml")
+        self.assertEqual(code, 2, stderr)
+        self.assertRegex(stderr.splitlines()[0], r"^scripts/experiment: --launch config\.yaml: roslaunch refused to start: .*XML")
+
+    def test_logs_that_cannot_be_written(self):
+        """As on a full disk: files may not grow far."""
+        code, _, stderr = self.run_it(experiment="answer:0",
+                                      before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (512, 512)))
+        self.assertEqual(code, 5, stderr)
+        self.assertRegex(stderr.splitlines()[0], r"; nothing can be written into \S.* \(File too large\): free some space, or .* TMPDIR$")
 
     def test_killed_runner_takes_its_nodes_along(self):
         process = self.start(gazebo="deaf")
