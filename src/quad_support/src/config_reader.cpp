@@ -324,8 +324,9 @@ void requireChoice(const ConfigReader& reader, const std::string& value, const s
 }  // namespace
 
 double ConfigReader::number(const std::string& key, const Range& range) const {
-  return toNumber(*this, require(*this, node_->entries, key, false, describe(range)), key, range,
-                  -1);
+  const std::string missing = describe(range), wrong = describe(range, "a finite number ");
+  return toNumber(*this, require(*this, node_->entries, key, false, has(key) ? wrong : missing),
+                  key, range, -1);
 }
 
 std::int64_t ConfigReader::integer(const std::string& key, std::int64_t min,

@@ -104,8 +104,8 @@ TEST(ConfigReader, ValuesStandOnOneLineInComplaints) {
   const auto c = parse("list:\n  - 1\n  - {x: '2'}\nmap:\n  y:\n    - 3\ntext: |\n  4\n  5\n");
   EXPECT_EQ(messageOf([&] { c.number("list", Range::any()); }),
             "c.yaml:2: list = [1, {x: \"2\"}]; must be a finite number");
-  EXPECT_EQ(messageOf([&] { c.number("map", Range::any()); }),
-            "c.yaml:5: map = {y: [3]}; must be a finite number");
+  EXPECT_EQ(messageOf([&] { c.number("map", Range::positive("kg")); }),
+            "c.yaml:5: map = {y: [3]}; must be a finite number > 0 kg");
   EXPECT_EQ(messageOf([&] { c.number("text", Range::any()); }),
             "c.yaml:7: text = \"4\\n5\\n\"; must be a finite number");
   EXPECT_EQ(c.value("list"), "[1, {x: \"2\"}]");
