@@ -51,6 +51,10 @@ class Answers(FlightCase):
                 self.assertRegex(answer.stderr.splitlines()[0], r"^\S+: standard output cannot be written "
                                  r"\(No space left on device\); the results stand in %s$" % name)
                 self.assertTrue(os.path.exists(self.path(name, "config.yaml")))
+        with open("/dev/full", "w") as full:
+            answer = self.finish(self.start([own, "export", "run", "--plotjuggler"], stdout=full))
+        self.assertEqual((answer.code, answer.stderr), (5, "quad_experiment export: standard output cannot be written (No space left "
+                                                           "on device); the files stand in run/export\n"))
         with open("/dev/full", "w") as full:   # results or not
             answer = self.finish(self.start([own, "--help"], stdout=full))
         self.assertEqual(answer.code, 5, answer)
