@@ -56,8 +56,7 @@ RawDesign designFreely(const ExplorationProblem& problem, const DesignTask& sing
   RawDesign design;
   const auto start = cheapestSimpleDirection(single, options.seed);
   if (!start) {
-    design.status = DesignStatus::kNotExciting;
-    design.message = reasonNothingExcites(problem, single);
+    refuseToExcite(problem, single, design);
     return design;
   }
   if (!(start->norm() > 0.0)) {  // x_0 alone is exciting enough

@@ -233,11 +233,11 @@ ordered_json designToJson(const ExplorationProblem& problem, const DesignResult&
 
 Eigen::MatrixXd amplitudesFromJson(const std::string& text, const std::string& source,
                                    const ExplorationProblem& problem) {
-  json value = parseJson(text, source);
-  for (const char* key : {"experiments", "amplitudes"}) {
-    if (value.is_object() && value.contains(key) && !value[key].is_null()) value = json(value[key]);
-  }
-  const Eigen::MatrixXd m = amplitudeTables(value, problem.phase, source);
+  const json value = parseJson(text, source);
+  const bool answer =
+      value.is_object() && (value.contains("amplitudes") || value.contains("experiments"));
+  const Eigen::MatrixXd m = answer ? answeredAmplitudes(value, problem.phase, source)
+                                   : amplitudeTables(value, problem.phase, source);
   const int carriers = numCarriers(problem.lines, problem.phase);
   if (m.rows() != Eigen::Index{carriers} * problem.experiments || m.cols() != problem.numInputs()) {
     throw ConfigError(fmt::format("{}: amplitudes are {} x {}; must be {} carriers x {} inputs{}",

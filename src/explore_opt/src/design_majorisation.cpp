@@ -53,6 +53,7 @@ VectorXd startOf(const ExplorationProblem& problem, const DesignTask& task,
     const VectorXd candidate = task.components(
         options.initial_amplitudes.reshaped<Eigen::RowMajor>(p / task.num_inputs, task.num_inputs));
     if (std::isfinite(task.cost(candidate))) return task.onBoundary(candidate);
+    design.status = DesignStatus::kNotExciting;
     design.message =
         "the initial amplitudes do not excite all parameters; change their direction, size does "
         "not matter";
@@ -65,7 +66,7 @@ VectorXd startOf(const ExplorationProblem& problem, const DesignTask& task,
   if (problem.numInputs() == 1 && std::isfinite(task.cost(VectorXd::Ones(p))))
     return task.onBoundary(VectorXd::Ones(p));  // equal inputs are all but singular for n_u >= 2
   if (const auto start = cheapestSimpleDirection(task, options.seed)) return *start;
-  design.message = reasonNothingExcites(problem, task);
+  refuseToExcite(problem, task, design);
   return {};
 }
 
@@ -138,10 +139,7 @@ RawDesign designByMajorisation(const ExplorationProblem& problem, const DesignTa
   const DesignTask task = single.replicated(problem.experiments);
   RawDesign design;
   const VectorXd start = startOf(problem, task, options, design);
-  if (start.size() == 0) {
-    design.status = DesignStatus::kNotExciting;
-    return design;
-  }
+  if (start.size() == 0) return design;
   record(task, design, start, 0.0);
   if (!(start.norm() > 0.0)) {
     design.status = DesignStatus::kSolved;

@@ -119,6 +119,8 @@ bool isSmallEnough(const DesignTask& task) {
   return std::min(n * (n + 1), p * (p + 1)) / 2 <= kMost;
 }
 
+namespace {
+
 std::string reasonNothingExcites(const ExplorationProblem& problem, const DesignTask& task) {
   const int nx = problem.numStates(), n_phi = problem.numRegressors(), L = problem.lines.size();
   const int reachable = reachableDimension(problem.A, problem.B);
@@ -151,6 +153,27 @@ std::string reasonNothingExcites(const ExplorationProblem& problem, const Design
       "no amplitudes of these {} lines excite all {} directions at once; add lines, use both "
       "phases, or a longer T",
       L, all);
+}
+
+/// Whether the lines would excite everything from rest.
+bool excitesFromRest(DesignTask task) {
+  task.response.offset.resize(0, 0);
+  return cheapestSimpleDirection(task, 1).has_value();
+}
+
+}  // namespace
+
+void refuseToExcite(const ExplorationProblem& problem, const DesignTask& task, RawDesign& design) {
+  if (task.response.homogeneous() || !excitesFromRest(task)) {
+    design.status = DesignStatus::kNotExciting;
+    design.message = reasonNothingExcites(problem, task);
+    return;
+  }
+  design.status = DesignStatus::kNumericalError;
+  design.message = fmt::format(
+      "the response to x0 (norm {:.3g}) outweighs what the lines must add so far that doubles do "
+      "not resolve both; start nearer to rest, or ask for more (D_des)",
+      problem.x0.norm());
 }
 
 }  // namespace explore_opt

@@ -110,6 +110,18 @@ bool DesignTask::excites(const VectorXd& direction) const {
   return ratio * ratio > kLeastEigenvalueRatio;
 }
 
+double DesignTask::informationRatio(const VectorXd& b) const {
+  if (required.size() == 0) return response.lambdaMin(b) / gamma_w;
+  const MatrixXd F = response.factor(b);
+  if (F.rows() < F.cols()) return 0.0;
+  const MatrixXd R = quad_support::triangularFactor(F);
+  if (!(R.diagonal().cwiseAbs().minCoeff() > 0.0)) return 0.0;
+  // `required` is a projection P, so P ⪯ N/ρ is ‖R⁻ᵀP‖² ≤ 1/ρ.
+  const MatrixXd spread = R.triangularView<Eigen::Upper>().transpose().solve(required);
+  const double largest = quad_support::singularValues(spread)(0);
+  return 1.0 / (gamma_w * largest * largest);
+}
+
 double DesignTask::cost(const VectorXd& direction) const {
   if (!direction.allFinite()) return std::numeric_limits<double>::infinity();
   if (!response.homogeneous()) {

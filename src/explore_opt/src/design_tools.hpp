@@ -53,6 +53,8 @@ struct DesignTask {
 
   /// λ_min(N)/λ_max(N) with N scaled to a unit diagonal is above 1e-14: what doubles resolve.
   bool excites(const Eigen::VectorXd& direction) const;
+  /// Largest ρ with N(b) ⪰ ρ γ_w required.
+  double informationRatio(const Eigen::VectorXd& b) const;
   /// γ_e of the direction's point on the boundary, infinite if there is none.
   double cost(const Eigen::VectorXd& direction) const;
   /// The least multiple of a direction from which on λ_min(N) >= γ_w, from above by rounding; empty
@@ -86,9 +88,10 @@ Eigen::VectorXd randomDirection(const DesignTask& task, std::uint64_t seed, std:
 /// The relaxation has few enough unknowns: beyond 1200 a Newton step takes seconds.
 bool isSmallEnough(const DesignTask& task);
 
-/// Why no amplitudes excite, in terms of the problem: modes out of the inputs' reach, too few lines
-/// or samples.
-std::string reasonNothingExcites(const ExplorationProblem& problem, const DesignTask& task);
+/// Says why no amplitudes excite, in terms of the problem: modes out of the inputs' reach, too few
+/// lines or samples, growth. A start far out is no reason, for large amplitudes outdo it: it only
+/// leaves doubles no digits, which is a numerical error.
+void refuseToExcite(const ExplorationProblem& problem, const DesignTask& task, RawDesign& design);
 
 RawDesign designGlobal(const ExplorationProblem& problem, const DesignTask& task,
                        const DesignOptions& options);

@@ -3,12 +3,13 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "checks.hpp"
 #include "constraint_shape.hpp"
 #include "design_tools.hpp"
+#include "doubtful_answer.hpp"
 #include "explore_opt/audit.hpp"
-#include "grown_answer.hpp"
 #include "peak_limits.hpp"
 #include "quad_support/linear_algebra.hpp"
 #include "response_root.hpp"
@@ -89,7 +90,7 @@ void fillAmplitudes(const ExplorationProblem& problem, const DesignTask& single,
   result.amplitudes = amplitudes;
   result.gamma_e = task.costAt(raw.amplitudes);
   result.gap = result.gamma_e > 0.0 ? (result.gamma_e - result.lower_bound) / result.gamma_e : 0.0;
-  result.lambda_min = lambda_min;
+  result.lambda_min = task.informationRatio(raw.amplitudes);
 }
 
 void fill(const ExplorationProblem& problem, const DesignTask& single, const RawDesign& raw,
@@ -110,18 +111,13 @@ void withdraw(DesignResult& result, const std::string& why) {
   refuse(result, why);
 }
 
-/// Judged once more: in long double where modes grow, else by comparing cost and bound.
+/// Judged once more, in long double, where doubles may not have had the digits.
 void confirm(const ExplorationProblem& problem, const DesignOptions& options,
              DesignResult& result) {
-  const double growth = modeGrowth(problem);
-  if (growth > kGrowthAudited) {
-    const std::string complaint = auditGrown(problem, options, growth, result);
-    if (!complaint.empty()) withdraw(result, complaint);
-  } else if (result.feasible() && result.gap < -AuditTolerance::kGap) {
-    withdraw(result, fmt::format("the amplitudes found cost {:.9g}, less than the bound {:.9g} "
-                                 "proves possible: rounding has spoilt one of them. Shorten T",
-                                 result.gamma_e, result.lower_bound));
-  }
+  const std::optional<Doubt> doubt = doubtOf(problem, result);
+  if (!doubt) return;
+  const std::string complaint = auditAnswer(problem, options, *doubt, result);
+  if (!complaint.empty()) withdraw(result, complaint);
 }
 
 }  // namespace

@@ -205,4 +205,24 @@ ResponseRoot responseRoot(const ExplorationProblem& problem) {
   return root;
 }
 
+double cancellation(const ExplorationProblem& problem, const MatrixXd& amplitudes) {
+  const ResponseRoot root = responseRoot(problem);
+  const Index p = problem.numAmplitudes(), nu = problem.numInputs(), carriers = p / nu;
+  double largest = 1.0;
+  for (Index run = 0; run < amplitudes.rows() / carriers; ++run) {
+    MatrixXd sum = MatrixXd::Zero(root.blocks.front().rows(), problem.numRegressors());
+    Eigen::RowVectorXd single = Eigen::RowVectorXd::Zero(sum.cols());
+    for (Index a = 0; a < static_cast<Index>(root.blocks.size()); ++a) {
+      const double factor = a < p ? amplitudes(run * carriers + a / nu, a % nu) : 1.0;
+      const MatrixXd response = factor * root.blocks[static_cast<std::size_t>(a)];
+      sum += response;
+      single += response.colwise().norm();
+    }
+    const Eigen::RowVectorXd left = sum.colwise().norm();
+    for (Index j = 0; j < sum.cols(); ++j)
+      if (single(j) > 0.0) largest = std::max(largest, single(j) / left(j));
+  }
+  return largest;
+}
+
 }  // namespace explore_opt

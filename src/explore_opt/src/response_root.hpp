@@ -26,6 +26,11 @@ ResponseRoot responseRoot(const ExplorationProblem& problem);
 /// factor of 4 each. Infinite where doubles overflow.
 double modeGrowth(const ExplorationProblem& problem);
 
+/// How much larger the responses to single components (and x_0) are than what is left of them in
+/// their sum: the largest ratio over regressors and experiments.
+/// @param amplitudes  carriers x n_u; several experiments one below the other
+double cancellation(const ExplorationProblem& problem, const Eigen::MatrixXd& amplitudes);
+
 /// "A", or "A + B K"
 std::string dynamicsName(const ExplorationProblem& problem);
 

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "doubtful_answer.hpp"
 #include "explore_opt/audit.hpp"
 #include "explore_opt/design_json.hpp"
 #include "explore_opt/exploration_design.hpp"
 #include "explore_opt/predicted_response.hpp"
-#include "grown_answer.hpp"
 #include "quad_support/linear_algebra.hpp"
 #include "thesis_problem.hpp"
 
@@ -181,32 +181,30 @@ TEST(Growth, InfeasibleIsProvenInMoreDigits) {
 TEST(Growth, WhatDoesNotStandIsWithdrawn) {
   const ExplorationProblem problem = family(9.0)[1];
   const DesignOptions options;
+  const Doubt doubt = {"the ice is thin", "Walk around"};
   const DesignResult design = designExploration(problem);
   ASSERT_TRUE(design.feasible()) << design.message;
 
   DesignResult silent = design;  // amplitudes that excite nothing cannot be scaled up
   silent.amplitudes.setZero();
-  const std::string of_amplitudes = auditGrown(problem, options, 1e9, silent);
-  EXPECT_NE(of_amplitudes.find("the modes of A grow 1e+09-fold within T"), std::string::npos)
-      << of_amplitudes;
-  EXPECT_NE(of_amplitudes.find("the amplitudes found do not stand a simulation in more digits. "),
-            std::string::npos)
-      << of_amplitudes;
-  EXPECT_NE(of_amplitudes.find("Stabilise with K"), std::string::npos) << of_amplitudes;
+  const std::string of_amplitudes = auditAnswer(problem, options, doubt, silent);
+  EXPECT_EQ(of_amplitudes,
+            "the ice is thin, and the amplitudes found do not stand a simulation in more digits. "
+            "Walk around");
 
   // Short by 1e-4 of the information: scaled up to where it was. The scale has rounding in it,
   // which growth raises from 1e-19 (long double) to 1e-10.
   DesignResult weak = design;
   weak.amplitudes *= 1.0 - 5e-5;
   weak.gamma_e *= 1.0 - 5e-5;
-  EXPECT_EQ(auditGrown(problem, options, 1e9, weak), "");
+  EXPECT_EQ(auditAnswer(problem, options, doubt, weak), "");
   EXPECT_NEAR(weak.gamma_e / design.gamma_e, 1.0, 1e-8);
   EXPECT_GE(weak.lambda_min, 1.0 - 1e-9);
 
   DesignResult boastful = design;  // a bound that its multiplier does not prove
   boastful.amplitudes.resize(0, 0);
   boastful.lower_bound *= 1.01;
-  const std::string of_bound = auditGrown(problem, options, 1e9, boastful);
+  const std::string of_bound = auditAnswer(problem, options, doubt, boastful);
   EXPECT_NE(of_bound.find("the bound found does not stand"), std::string::npos) << of_bound;
   EXPECT_NEAR(boastful.lower_bound / design.lower_bound, 1.0, 1e-6);
 }
@@ -219,13 +217,51 @@ TEST(Growth, IsNamedWhereItHidesDirections) {
   EXPECT_NE(result.message.find("Stabilise with K"), std::string::npos) << result.message;
 }
 
-TEST(Growth, OfIntegratorsIsNoInstability) {
+/// x_i(k+1) = x_i(k) + x_{i+1}(k), the input into the last.
+ExplorationProblem integrators(int n, int T) {
   ExplorationProblem problem;
-  problem.A = (MatrixXd(3, 3) << 1, 1, 0, 0, 1, 1, 0, 0, 1).finished();
-  problem.B = Eigen::Vector3d(0, 0, 1);
-  problem.lines = {100000, {300, 700, 1200}, {}};
-  problem.phase = Phase::kSin;
-  problem.gamma_w = 1.0;
-  problem.D_des = MatrixXd::Identity(1, 1);
+  problem.A = MatrixXd::Identity(n, n);
+  problem.A.diagonal(1).setOnes();
+  problem.B = Eigen::VectorXd::Unit(n, n - 1);
+  problem.lines = {T, {3, 7, 11}, {}};
+  problem.gamma_w = 2.0;
+  problem.D_des = MatrixXd::Constant(1, 1, 4.0);
+  return problem;
+}
+
+TEST(Growth, OfIntegratorsIsNoInstability) {
+  ExplorationProblem problem = integrators(3, 100000);
+  problem.lines.harmonics = {300, 700, 1200};
   EXPECT_EQ(designExploration(problem).message.find("unstable"), std::string::npos);
+}
+
+TEST(Growth, ResponsesThatCancelAreJudgedInMoreDigits) {
+  // The states of single lines grow with T^4, their best sum does not: doubles put the cost of some
+  // of these below its bound.
+  for (const int n : {4, 5}) {
+    for (const int T : {3000, 10000, 30000}) {
+      SCOPED_TRACE(fmt::format("{} integrators, T = {}", n, T));
+      EXPECT_TRUE(isRightOrRefused(integrators(n, T), DesignMethod::kGlobal));
+      const DesignResult result = designExploration(integrators(n, T));
+      EXPECT_EQ(result.status, DesignStatus::kSolved) << result.message;
+      EXPECT_LE(result.gap, 1e-8);
+    }
+  }
+}
+
+TEST(Growth, OfTheStartIsNamedWhereItHidesWhatLinesAdd) {
+  ExplorationProblem problem;
+  problem.A = (MatrixXd(2, 2) << 0.9, 0.5, -0.5, 0.8).finished();
+  problem.B = Eigen::Vector2d(1.0, 0.3);
+  problem.K = (MatrixXd(1, 2) << 0.1, 0.2).finished();
+  problem.lines = {60, {3, 7, 11}, {}};
+  problem.gamma_w = 2.0;
+  problem.D_des = MatrixXd::Constant(1, 1, 4.0);
+  problem.x0 = 1e8 * Eigen::Vector2d(1.0, -0.5);
+  const DesignResult result = designExploration(problem);
+  EXPECT_EQ(result.status, DesignStatus::kNumericalError);
+  EXPECT_NE(result.message.find("the response to x0 (norm 1.12e+08) outweighs"), std::string::npos)
+      << result.message;
+  problem.x0 *= 1e-6;
+  EXPECT_TRUE(isRightOrRefused(problem, DesignMethod::kGlobal));
 }

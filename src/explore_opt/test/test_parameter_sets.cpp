@@ -70,6 +70,12 @@ TEST(ParameterFunction, IsReadAsWritten) {
   EXPECT_EQ(value(" - A12 + 2*B1 - 0.5"), 3.5);
   EXPECT_EQ(value("(A11 - B2)/(1e-1*A22 + 1)"), -5.0 / 1.5);
   EXPECT_EQ(value("m = 0.1/B2"), 0.1 / 6.0);
+  EXPECT_EQ(value("1 + B1/A12"), 1.0 + 3.0 / 2.0);
+  EXPECT_EQ(value("B1/A12 + 1"), 3.0 / 2.0 + 1.0);
+  EXPECT_EQ(value("B1/A12 - A11/A12"), 1.0);
+  EXPECT_EQ(value("3/B1 - 2"), -1.0);
+  EXPECT_EQ(value("6/2*A12 - (1 - (A11 + 1))/4"), 6.25);
+  EXPECT_EQ(value("2*(A12 - B1)/A22/2"), -0.2);
   EXPECT_EQ(parseFunction("m = 0.1/B2", 2, 1).name, "m");
   EXPECT_EQ(parseFunction("A12/B2", 2, 1).name, "A12/B2");
   EXPECT_EQ(parseFunction("B12", 2, 2).numerator.weights(0, 3), 1.0);
@@ -77,10 +83,15 @@ TEST(ParameterFunction, IsReadAsWritten) {
 
 TEST(ParameterFunction, SaysWhatCannotBeRead) {
   EXPECT_EQ(parseError("A13"),
-            "function 'A13' has an index out of range: A is 2 x 2 (at character 4); write A12, B1, "
-            "A(1,2), numbers, + - *, and one /");
+            "function 'A13' has an index out of range: A is 2 x 2 (at character 4); write sums of "
+            "A12, B1, A(1,2) and numbers with + - *, or one such sum over another: "
+            "'(A11 - 1)/B1'");
+  EXPECT_NE(parseError("A12*B1").find("product of entries"), std::string::npos);
+  EXPECT_NE(parseError("A11 + B1/A12").find("product of entries"), std::string::npos);
+  EXPECT_NE(parseError("A11/0").find("divides by zero"), std::string::npos);
+  EXPECT_NE(parseError(std::string(100000, '(')).find("too many parentheses"), std::string::npos);
   for (const char* text : {"",       "A",     "A1",   "C11",  "A12/",  "A12/B1/B2",        "A12*B1",
-                           "2*3",    "1e400", "..",   "A(1",  "A(1,2", "A(1;2)",           "A112",
+                           "*3",     "1e400", "..",   "A(1",  "A(1,2", "A(1;2)",           "A112",
                            "A12 B1", "A12 +", "(A12", "m =",  "0*",    "A(99999999999,1)", "B3",
                            "A01",    "=",     "2e",   "--A12"}) {
     EXPECT_NE(parseError(text), "") << text;

@@ -92,7 +92,7 @@ struct DesignResult {
   double lower_bound = 0.0;
   /// (γ_e - lower_bound)/γ_e
   double gap = std::numeric_limits<double>::quiet_NaN();
-  /// λ_min(N(α*))/γ_w, recomputed; feasible if >= 1
+  /// Largest ρ with P_θ⁻¹ ⪰ ρ γ_w D_des for the answer, recomputed; feasible if >= 1
   double lambda_min = std::numeric_limits<double>::quiet_NaN();
   /// Z ⪰ 0, n x n. From rest, D_des ≻ 0, cost on the signal and no u_max:
   /// lower_bound = sqrt(γ_w tr Z/λ_max(H(Z)))

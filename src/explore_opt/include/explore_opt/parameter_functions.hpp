@@ -24,9 +24,9 @@ struct ParameterFunction {
   std::optional<AffineFunction> denominator;
 };
 
-/// Reads "A12", "2*A12 - B1 + 0.5", "m = 0.1/B2", "A(2,11)/B(1,1)": sums of entries (indices from
-/// 1, as in the thesis; B2 with one input means B21), numbers and number*entry; at most one
-/// quotient.
+/// Reads "A12", "2*A12 - B1 + 0.5", "m = 0.1/B2", "1 + A(2,11)/B(1,1)" by the usual precedence:
+/// entries (indices from 1, as in the thesis; B2 with one input means B21), numbers, + - * / and
+/// parentheses, as long as it comes to a sum of entries or one such sum over another.
 /// @throws quad_support::DataError naming the text and what is wrong in it
 ParameterFunction parseFunction(const std::string& text, int num_states, int num_inputs);
 

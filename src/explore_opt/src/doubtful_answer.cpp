@@ -1,4 +1,4 @@
-#include "grown_answer.hpp"
+#include "doubtful_answer.hpp"
 
 #include <fmt/core.h>
 
@@ -12,6 +12,7 @@
 namespace explore_opt {
 namespace {
 
+constexpr double kDoubtful = 1e5;   // growth, or cancellation
 constexpr double kShort = 1e-10;    // of the information: mended from here on
 constexpr double kRestated = 1e-6;  // change of the gap worth a word
 
@@ -38,7 +39,8 @@ bool boundStands(const ExplorationProblem& problem, DesignResult& result) {
 }
 
 /// Says in status and message what the audit has changed.
-void restate(const DesignOptions& options, double claimed, double growth, DesignResult& result) {
+void restate(const DesignOptions& options, double claimed, const Doubt& doubt,
+             DesignResult& result) {
   const bool certified = result.status == DesignStatus::kSolved &&
                          result.method == DesignMethod::kGlobal && claimed <= options.gap_tolerance;
   if (certified && result.gap <= options.gap_tolerance) {
@@ -48,18 +50,40 @@ void restate(const DesignOptions& options, double claimed, double growth, Design
   if (result.gap <= claimed + kRestated) return;
   if (certified) result.status = DesignStatus::kReducedAccuracy;
   result.message +=
-      fmt::format("; with the rounding of modes that grow {:.0e}-fold, {:.2g}", growth, result.gap);
+      fmt::format("; {}, and with that rounding the gap is {:.2g}", doubt.cause, result.gap);
 }
 
 }  // namespace
 
-std::string auditGrown(const ExplorationProblem& problem, const DesignOptions& options,
-                       double growth, DesignResult& result) {
+std::optional<Doubt> doubtOf(const ExplorationProblem& problem, const DesignResult& result) {
+  const int T = problem.lines.num_samples;
+  const double growth = modeGrowth(problem);
+  if (growth > kDoubtful) {
+    return Doubt{fmt::format("the modes of {} grow {:.0e}-fold within T = {}",
+                             dynamicsName(problem), growth, T),
+                 growthRemedy(problem)};
+  }
+  if (!result.feasible()) return std::nullopt;
+  const double cancelling = cancellation(problem, result.amplitudes);
+  if (cancelling > kDoubtful) {
+    return Doubt{fmt::format("the responses to single lines are {:.0e} times what their sum leaves "
+                             "within T = {}",
+                             cancelling, T),
+                 problem.K.size() > 0 ? "Shorten T" : "Shorten T, or hold the states with K"};
+  }
+  if (result.gap < -AuditTolerance::kGap) {
+    return Doubt{fmt::format("the cost {:.9g} lies below the bound {:.9g}", result.gamma_e,
+                             result.lower_bound),
+                 "Shorten T"};
+  }
+  return std::nullopt;
+}
+
+std::string auditAnswer(const ExplorationProblem& problem, const DesignOptions& options,
+                        const Doubt& doubt, DesignResult& result) {
   const auto complaint = [&](const char* what) {
-    return fmt::format(
-        "the modes of {} grow {:.0e}-fold within T = {}, and {} not stand a simulation in more "
-        "digits. {}",
-        dynamicsName(problem), growth, problem.lines.num_samples, what, growthRemedy(problem));
+    return fmt::format("{}, and {} not stand a simulation in more digits. {}", doubt.cause, what,
+                       doubt.remedy);
   };
   if (!result.feasible())
     return boundStands(problem, result) ? "" : complaint("the bound found does");
@@ -79,7 +103,7 @@ std::string auditGrown(const ExplorationProblem& problem, const DesignOptions& o
                       report.peak_ratio <= 1.0 + AuditTolerance::kPeak &&
                       result.gap >= -AuditTolerance::kGap;
   if (!stands) return complaint("the amplitudes found do");
-  restate(options, claimed, growth, result);
+  restate(options, claimed, doubt, result);
   return "";
 }
 
