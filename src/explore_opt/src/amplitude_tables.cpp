@@ -50,4 +50,15 @@ Eigen::MatrixXd amplitudeTables(const json& value, Phase phase, const std::strin
   return all;
 }
 
+Eigen::MatrixXd answeredAmplitudes(const json& answer, Phase phase, const std::string& source) {
+  const auto has = [&](const char* key) {
+    return answer.contains(key) && !answer.at(key).is_null();
+  };
+  if (has("amplitudes") && has("experiments"))
+    throw ConfigError(source + ": has amplitudes and experiments; give one of the two");
+  const char* key = has("experiments") ? "experiments" : "amplitudes";
+  if (!has(key)) throw ConfigError(fmt::format("{}: {} are missing", source, key));
+  return amplitudeTables(answer.at(key), phase, source);
+}
+
 }  // namespace explore_opt

@@ -15,4 +15,9 @@ namespace explore_opt {
 Eigen::MatrixXd amplitudeTables(const nlohmann::json& value, Phase phase,
                                 const std::string& source);
 
+/// The tables of a design's answer: its `amplitudes`, or `experiments` where there are several.
+/// @throws quad_support::ConfigError also where none or both of them are there
+Eigen::MatrixXd answeredAmplitudes(const nlohmann::json& answer, Phase phase,
+                                   const std::string& source);
+
 }  // namespace explore_opt

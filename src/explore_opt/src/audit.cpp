@@ -247,6 +247,23 @@ Real provedBound(const Sums& s, const Matrix& Y) {
   return square > 0.0L && std::isfinite(square) ? std::sqrt(square) : 0.0L;
 }
 
+void checkMultiplierShapes(const ExplorationProblem& problem, const DesignClaims& claims) {
+  const Index n = problem.numRegressors(), all = n * problem.numStates();
+  const auto fits = [&](const Eigen::MatrixXd& m, const char* name, bool square) {
+    const bool right = m.rows() == n || m.rows() == all;
+    require(m.size() == 0 || (right && (!square || m.cols() == m.rows())),
+            "{} is {} x {}; must have {} rows (D (x) I) or {}{}", name, m.rows(), m.cols(), n, all,
+            square ? ", and as many columns" : "");
+  };
+  fits(claims.multiplier, "multiplier", true);
+  fits(claims.multiplier_root, "multiplier_root", false);
+  const Index size = problem.D_des.rows() == all ? all : n;  // known entries make it another
+  require(claims.certificate.size() == 0 || problem.known.size() > 0 ||
+              (claims.certificate.rows() == size && claims.certificate.cols() == size),
+          "certificate is {} x {}; must be {} x {}", claims.certificate.rows(),
+          claims.certificate.cols(), size, size);
+}
+
 void checkShapes(const ExplorationProblem& problem, const DesignClaims& claims) {
   const int carriers = problem.numAmplitudes() / problem.numInputs();
   const Index rows = claims.amplitudes.rows();
@@ -259,6 +276,7 @@ void checkShapes(const ExplorationProblem& problem, const DesignClaims& claims) 
   requireFinite(claims.certificate, "certificate");
   requireFinite(claims.multiplier, "multiplier");
   requireFinite(claims.multiplier_root, "multiplier_root");
+  checkMultiplierShapes(problem, claims);
   for (const DesignClaims::Peak& peak : claims.peak_multipliers) {
     require(problem.u_max.size() > 0, "there are peak multipliers, but the problem has no u_max");
     require(peak.sample >= 0 && peak.sample < problem.lines.num_samples && peak.input >= -1 &&
@@ -269,11 +287,10 @@ void checkShapes(const ExplorationProblem& problem, const DesignClaims& claims) 
   }
 }
 
-/// Root of the multiplier in raw coordinates; zero if none fits.
+/// Root of the multiplier in raw coordinates; zero if there is none.
 Matrix multiplierRoot(const ExplorationProblem& problem, const DesignClaims& claims) {
   const Index n = problem.numRegressors(), nx = problem.numStates();
-  const Index rows = claims.multiplier_root.rows();
-  if (rows == n || rows == n * nx) return claims.multiplier_root.cast<Real>();
+  if (claims.multiplier_root.size() > 0) return claims.multiplier_root.cast<Real>();
   Matrix M = claims.multiplier.cast<Real>();
   const Matrix D = meaning(problem);
   if (M.size() == 0 && claims.certificate.rows() == D.rows() &&
@@ -293,6 +310,12 @@ bool sameUpToScale(const Matrix& a, const Matrix& b) {
   const Real na = a.norm(), nb = b.norm();
   if (na == 0.0L || nb == 0.0L) return na == nb;
   return (a / na - b / nb).norm() <= AuditTolerance::kSaidTwice;
+}
+
+/// Far from singular: where D_des is not, the certificate's coordinates are the design's own.
+bool isDefinite(const Matrix& D) {
+  const Vector lambda = Eigen::SelfAdjointEigenSolver<Matrix>(D).eigenvalues();
+  return lambda(0) > 1e-10L * lambda(lambda.size() - 1);
 }
 
 /// What is said beside the amplitudes and the bound: nothing of it is used, but a reader may.
@@ -316,21 +339,21 @@ void checkTheRest(const ExplorationProblem& problem, const DesignClaims& claims,
         fmt::format("'{}'; solved, reduced_accuracy or iteration_limit come with amplitudes",
                     claims.status));
   }
-  if (claims.multiplier_root.size() == 0) return;
+  if (claims.multiplier_root.size() == 0 && claims.multiplier.size() == 0) return;
   const Matrix M = Y * Y.transpose(), D = meaning(problem);
   if (claims.multiplier.size() > 0) {
     const Matrix claimed = claims.multiplier.cast<Real>();
     add("multiplier",
         claimed.rows() == M.rows() && claimed.cols() == M.cols() && sameUpToScale(claimed, M),
-        "the multiplier beside multiplier_root must be its Y Y^T");
+        "the multiplier must be Y Y^T of multiplier_root, or at least positive semidefinite");
   }
   const bool comparable = problem.known.size() == 0 && claims.certificate.rows() == D.rows() &&
-                          D.rows() == M.rows() && Eigen::LLT<Matrix>(D).info() == Eigen::Success;
+                          D.rows() == M.rows() && isDefinite(D);
   if (comparable) {
     const Matrix root = Eigen::SelfAdjointEigenSolver<Matrix>(D).operatorSqrt();
     const Matrix claimed = claims.certificate.cast<Real>();
     add("certificate", claimed.cols() == M.cols() && sameUpToScale(claimed, root * M * root),
-        "the certificate beside multiplier_root must be D^{1/2} Y Y^T D^{1/2}");
+        "the certificate must be D^{1/2} M D^{1/2} of the multiplier M");
   }
 }
 

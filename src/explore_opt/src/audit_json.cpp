@@ -55,9 +55,7 @@ DesignClaims claimsFromJson(const std::string& text, const std::string& source,
                                     object.at("status").dump()));
     claims.status = object.at("status").get<std::string>();
   }
-  const char* key = object.contains("experiments") ? "experiments" : "amplitudes";
-  if (!object.contains(key)) throw ConfigError(fmt::format("{}: {} are missing", source, key));
-  claims.amplitudes = amplitudeTables(object.at(key), problem.phase, source);
+  claims.amplitudes = answeredAmplitudes(object, problem.phase, source);
   claims.certificate = optionalMatrix(object, "certificate", source);
   claims.multiplier = optionalMatrix(object, "multiplier", source);
   claims.multiplier_root = optionalMatrix(object, "multiplier_root", source);

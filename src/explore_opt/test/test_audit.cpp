@@ -132,7 +132,10 @@ TEST(Audit, FindsWhatWasTamperedWith) {
   tampered.multiplier_root = Eigen::MatrixXd();
   EXPECT_EQ(failures(problem, tampered), "");
   tampered.multiplier = Eigen::MatrixXd::Identity(3, 3);  // ... another one less
-  EXPECT_EQ(failures(problem, tampered), "lower_bound ");
+  EXPECT_EQ(failures(problem, tampered), "lower_bound certificate ");
+  tampered.multiplier = honest.multiplier;
+  tampered.certificate = -honest.certificate;  // not used, but said
+  EXPECT_EQ(failures(problem, tampered), "certificate ");
   tampered = honest;
   tampered.multiplier_root = Eigen::MatrixXd::Identity(3, 3);
   EXPECT_EQ(failures(problem, tampered), "lower_bound multiplier certificate ");
@@ -169,6 +172,42 @@ TEST(Audit, FindsWhatWasTamperedWith) {
     if (change == 3) other.lines.harmonics[3] = 40;
     if (change == 4) other.phase = Phase::kSin;
     EXPECT_NE(failures(other, honest), "") << change;
+  }
+}
+
+TEST(Audit, RefusesShapesThatDoNotFit) {
+  const ExplorationProblem problem = thesisProblem(Phase::kCos);
+  const DesignClaims honest = claimsOf(problem, designExploration(problem));
+  const Eigen::MatrixXd wrong = Eigen::MatrixXd::Identity(2, 2);
+  for (Eigen::MatrixXd DesignClaims::*field :
+       {&DesignClaims::amplitudes, &DesignClaims::certificate, &DesignClaims::multiplier,
+        &DesignClaims::multiplier_root}) {
+    DesignClaims claims = honest;
+    claims.*field = wrong;
+    EXPECT_THROW(audit(problem, claims), quad_support::DataError);
+  }
+  auto json = designToJson(problem, designExploration(problem));
+  json["experiments"] = {json["amplitudes"]};  // which of the two would be meant?
+  EXPECT_THROW(claimsFromJson(json.dump(), "design.json", problem), quad_support::ConfigError);
+  EXPECT_THROW(amplitudesFromJson(json.dump(), "design.json", problem), quad_support::ConfigError);
+}
+
+/// D_des of rank r, by its root or with a last eigenvalue that rounding leaves.
+TEST(Audit, AgreesWhereTheClosenessIsSingular) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    ExplorationProblem problem = randomProblem(seed);
+    const Eigen::Index n = problem.D_des.rows(), rank = 1 + static_cast<Eigen::Index>(seed) % n;
+    const Eigen::MatrixXd root = randomMatrix(seed, 4, static_cast<int>(n), static_cast<int>(rank));
+    problem.D_des = seed == 0 ? Eigen::MatrixXd(Eigen::MatrixXd::Ones(n, n))
+                              : Eigen::MatrixXd(root * root.transpose());
+    problem.D_des = (0.5 * (problem.D_des + problem.D_des.transpose())).eval();
+    if (seed % 4 == 1) problem.x0 = Eigen::VectorXd::LinSpaced(problem.numStates(), 0.5, -1.0);
+    DesignOptions options;
+    options.random_starts = 2;
+    const DesignResult design = designExploration(problem, options);
+    ASSERT_TRUE(design.feasible()) << design.message;
+    EXPECT_EQ(failures(problem, claimsOf(problem, design)), "");
   }
 }
 

@@ -71,7 +71,8 @@ struct AuditTolerance {
 ///   experiments  as many as the problem asks for
 ///   lambda_min   the claim is the computed one to 1e-6, where there is a claim
 ///   status       one that comes with an answer, where there is a claim
-///   multiplier, certificate   the same as Y Yᵀ up to a factor, where both are given
+///   multiplier, certificate   what the bound was proven with, up to a factor, where they are given
+///                (the certificate for D_des that is not singular and without known entries)
 /// @throws quad_support::DataError for claims whose shapes do not fit the problem
 AuditReport audit(const ExplorationProblem& problem, const DesignClaims& claims);
 
