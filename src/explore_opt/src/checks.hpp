@@ -16,6 +16,18 @@ void require(bool condition, fmt::format_string<Args...> text, Args&&... args) {
   if (!condition) throw quad_support::DataError(fmt::format(text, std::forward<Args>(args)...));
 }
 
+/// What work() returns; its complaints get the name of the file they are about.
+template <typename Work>
+auto withName(const std::string& name, const Work& work) {
+  try {
+    return work();
+  } catch (const quad_support::NegativeAnswer& e) {
+    throw quad_support::NegativeAnswer(name + ": " + e.what());
+  } catch (const quad_support::DataError& e) {
+    throw quad_support::DataError(name + ": " + e.what());
+  }
+}
+
 inline void requirePositive(double value, const char* name) {
   require(std::isfinite(value) && value > 0.0, "{} = {}; must be a finite number above 0", name,
           value);
@@ -30,8 +42,8 @@ inline void requireShape(const Eigen::MatrixXd& m, Eigen::Index rows, Eigen::Ind
 inline void requireFinite(const Eigen::MatrixXd& m, const char* name) {
   for (Eigen::Index j = 0; j < m.cols(); ++j) {
     for (Eigen::Index i = 0; i < m.rows(); ++i) {
-      require(std::isfinite(m(i, j)), "{}({}, {}) = {}; must be finite (indices from 0)", name, i,
-              j, m(i, j));
+      require(std::isfinite(m(i, j)), "{}: row {}, column {} is {}; must be finite", name, i + 1,
+              j + 1, m(i, j));
     }
   }
 }

@@ -54,6 +54,20 @@ void requireDistinct(const std::vector<T>& values, const char* name) {
   }
 }
 
+/// Two frequencies that T samples cannot tell apart are one line, whose amplitude would be shared
+/// out between both at a lower norm.
+void requireApart(const std::vector<double>& frequencies, int T) {
+  constexpr double kSameTurns = 1e-6;  // over all samples
+  for (std::size_t i = 0; i < frequencies.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      require(std::abs(frequencies[i] - frequencies[j]) * T > kSameTurns,
+              "frequencies[{}] = {} and frequencies[{}] = {} are the same within T = {} samples; "
+              "leave one out",
+              j, frequencies[j], i, frequencies[i], T);
+    }
+  }
+}
+
 /// Lines f and 1 - f (h and T - h) are the same.
 template <typename T>
 void requireNotMirrored(const std::vector<T>& values, T whole, const char* name) {
@@ -103,6 +117,7 @@ void validate(const SpectralLines& lines) {
   }
   requireDistinct(lines.harmonics, "harmonics");
   requireDistinct(lines.frequencies, "frequencies");
+  requireApart(lines.frequencies, T);
 }
 
 CarrierValue carrierAt(const SpectralLines& lines, int line, int k) {

@@ -217,14 +217,19 @@ Identification identify(const std::vector<DataSet>& data, const IdentificationRe
     require(set.X.rows() == nx && set.U.rows() == nu,
             "{} has {} states and {} inputs, the first data set {} and {}", set.name, set.X.rows(),
             set.U.rows(), nx, nu);
-    out.data_sets.push_back(request.known.size() > 0
-                                ? estimateStructured(set, request.known, data.size() > 1, out.free)
-                                : estimateAll(set, data.size() > 1));
+    out.data_sets.push_back(withName(set.name, [&] {
+      return request.known.size() > 0
+                 ? estimateStructured(set, request.known, data.size() > 1, out.free)
+                 : estimateAll(set, data.size() > 1);
+    }));
   }
   const Coordinates coordinates(request.known, out.free, nx, nx + nu);
   if (request.candidate) coordinates.restrict(*request.candidate);  // checks it
   out.exciting = excitingTogether(out);
-  if (!out.exciting) return out;
+  if (!out.exciting) {
+    if (request.closeness) out.margin = 0.0;
+    return out;
+  }
   fuseEstimates(request, coordinates, out);
   addAnswers(request, coordinates, functions, out);
   return out;

@@ -65,7 +65,7 @@ ordered_json identificationToJson(const Identification& v) {
   out["G"] = orNull(v.exciting, v.set.G);
   out["information"] = matrixToJson(v.exciting ? v.information : first.information);
   out["lambda_D_bd"] = orNull(bounded, v.set.lambda_min_S / v.set.G);
-  out["exploration_condition"] = orNull(v.margin || !v.exciting, v.conditionMet());
+  out["exploration_condition"] = orNull(v.margin.has_value(), v.conditionMet());
   out["falsified"] = v.falsified();
   out["lambda_min_S"] = orNull(v.exciting, v.set.lambda_min_S);
   out["lower"] = orNull(v.lower.size() > 0, matrixToJson(v.lower));

@@ -45,8 +45,9 @@ void checkKnown(const ExplorationProblem& problem) {
       const double nominal =
           j < problem.numStates() ? problem.A(i, j) : problem.B(i, j - problem.numStates());
       require(value == nominal,
-              "known({}, {}) = {}, but [A B] has {} there; a known entry must be the nominal one",
-              i, j, value, nominal);
+              "known: row {}, column {} is {}, but [A B] has {} there; a known entry must be the "
+              "nominal one",
+              i + 1, j + 1, value, nominal);
     }
   }
   require(any, "known leaves nothing to learn; at least one entry must be null");

@@ -25,7 +25,7 @@ std::vector<Entry> freeEntries(const MatrixXd& known) {
       if (std::isnan(known(i, j))) {
         entries.push_back({static_cast<int>(i), static_cast<int>(j)});
       } else {
-        require(std::isfinite(known(i, j)), "known({}, {}) is infinite (indices from 0)", i, j);
+        require(std::isfinite(known(i, j)), "known: row {}, column {} is infinite", i + 1, j + 1);
       }
     }
   }

@@ -21,6 +21,8 @@ std::vector<std::string> split(std::string_view line) {
     std::string_view cell = line.substr(0, comma);
     while (!cell.empty() && cell.front() == ' ') cell.remove_prefix(1);
     while (!cell.empty() && cell.back() == ' ') cell.remove_suffix(1);
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+      cell = cell.substr(1, cell.size() - 2);
     cells.emplace_back(cell);
     if (comma == std::string_view::npos) return cells;
     line.remove_prefix(comma + 1);
@@ -32,6 +34,9 @@ std::vector<std::string> split(std::string_view line) {
 CsvTable CsvTable::parse(std::string_view text, const std::string& source) {
   CsvTable table;
   table.source_ = source;
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets put it first
+  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark)
+    text.remove_prefix(kByteOrderMark.size());
   std::size_t line_number = 0;
   while (!text.empty()) {
     const auto end = text.find('\n');

@@ -209,6 +209,10 @@ TEST(CsvTable, ReadsNumbersAndNamesMistakes) {
     EXPECT_STREQ(e.what(), "x.csv:3: column w0 holds 'nan', not a finite number");
   }
   EXPECT_THROW(table.text(0, "w9"), DataError);
+  const auto from_a_spreadsheet =
+      CsvTable::parse("\xEF\xBB\xBF\"t\",\"x y\"\r\n0,\"1\"\r\n", "y.csv");
+  EXPECT_EQ(from_a_spreadsheet.columns(), (std::vector<std::string>{"t", "x y"}));
+  EXPECT_EQ(from_a_spreadsheet.number(0, "x y"), 1.0);
   EXPECT_THROW(CsvTable::parse("a,a\n", "x"), DataError);
   EXPECT_THROW(CsvTable::parse("a,b\n1\n", "x"), DataError);
   EXPECT_THROW(CsvTable::parse("\n", "x"), DataError);

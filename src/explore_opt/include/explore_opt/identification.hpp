@@ -66,7 +66,10 @@ struct Identification {
   std::vector<double> candidate_distances;
 
   bool falsified() const { return exciting && set.falsified(); }
-  bool conditionMet() const { return exciting && !falsified() && margin && *margin >= set.G; }
+  /// To rounding: a design is held to its condition as closely, and data go through text.
+  bool conditionMet() const {
+    return exciting && !falsified() && margin && *margin * (1.0 + 1e-9) >= set.G;
+  }
   bool candidateIsMember() const;
   bool candidateIsMember(std::size_t data_set) const;  ///< of one of several
 };

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "checks.hpp"
 #include "commands.hpp"
 #include "explore_opt/audit.hpp"
 #include "explore_opt/design_json.hpp"
@@ -22,8 +23,9 @@ Exit code 0: every check passed; 3: one did not; 2: bad input.)";
 int runAudit(const AuditSettings& settings) {
   const ExplorationProblem problem =
       problemFromJson(quad_support::readFile(settings.problem), settings.problem);
-  const AuditReport report = audit(
-      problem, claimsFromJson(quad_support::readFile(settings.design), settings.design, problem));
+  const DesignClaims claims =
+      claimsFromJson(quad_support::readFile(settings.design), settings.design, problem);
+  const AuditReport report = withName(settings.design, [&] { return audit(problem, claims); });
   writeAnswer(settings.out, prettyJson(auditToJson(report)));
   std::FILE* to = settings.out.empty() ? stderr : stdout;
   for (const AuditCheck& check : report.checks) {

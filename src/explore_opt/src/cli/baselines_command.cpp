@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "checks.hpp"
 #include "commands.hpp"
 #include "explore_opt/baselines.hpp"
 #include "explore_opt/design_json.hpp"
@@ -66,14 +67,14 @@ int runBaselines(const BaselinesSettings& settings) {
   DesignOptions design_options;
   design_options.seed = options.seed;
   const DesignResult design =
-      namingFile(settings.problem, [&] { return designExploration(problem, design_options); });
+      withName(settings.problem, [&] { return designExploration(problem, design_options); });
   if (!design.feasible()) {
     std::fprintf(stderr, "explore_opt: %s: %s: %s\n", settings.problem.c_str(),
                  toString(design.status).c_str(), design.message.c_str());
     return quad_support::kNegativeAnswer;
   }
-  const auto rows = namingFile(
-      settings.problem, [&] { return compareBaselines(problem, design.amplitudes, options); });
+  const auto rows = withName(settings.problem,
+                             [&] { return compareBaselines(problem, design.amplitudes, options); });
   ordered_json out = {{"gamma_e", design.gamma_e},
                       {"lower_bound", design.lower_bound},
                       {"gap", design.gap},

@@ -67,18 +67,6 @@ int runReplay(const ReplaySettings& settings);
 /// Reads the command line and runs the subcommand it names. @returns exit code
 int runCommandLine(int argc, char** argv);
 
-/// Calls `f`; a complaint about what stands in `file` then begins with its name.
-template <class F>
-auto namingFile(const std::string& file, const F& f) {
-  try {
-    return f();
-  } catch (const quad_support::NegativeAnswer& e) {
-    throw quad_support::NegativeAnswer(file + ": " + e.what());
-  } catch (const quad_support::DataError& e) {
-    throw quad_support::DataError(file + ": " + e.what());
-  }
-}
-
 /// To a file in one piece, or to stdout if `path` is empty. @throws quad_support::EnvironmentError
 void writeAnswer(const std::string& path, const std::string& text);
 

@@ -1,6 +1,11 @@
+#include <fmt/core.h>
+
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
+#include "checks.hpp"
 #include "commands.hpp"
 #include "explore_opt/design_dump.hpp"
 #include "explore_opt/design_json.hpp"
@@ -21,23 +26,45 @@ same rows or a whole answer; only their direction counts, the size is scaled to 
 Exit code 0: amplitudes found; 3: there are none, or they are not trustworthy (see "status"); 2: bad input;
 5: the answer cannot be written.)";
 
+namespace {
+
+/// Options of one method that were set for the other.
+void refuseIdleOptions(const DesignSettings& settings, DesignMethod method) {
+  const DesignOptions &o = settings.options, usual;
+  const bool mm = method == DesignMethod::kMm;
+  const std::vector<std::pair<const char*, bool>> idle = {
+      {"--initial", !mm && !settings.initial.empty()},
+      {"--plain", !mm && settings.plain},
+      {"--max-iterations", !mm && o.max_iterations != usual.max_iterations},
+      {"--cost-tolerance", !mm && o.cost_tolerance != usual.cost_tolerance},
+      {"--step-tolerance", !mm && o.step_tolerance != usual.step_tolerance},
+      {"--starts", mm && o.random_starts != usual.random_starts}};
+  for (const auto& [option, set] : idle) {
+    if (!set) continue;
+    throw quad_support::DataError(fmt::format("{} has no effect on method {}; {}", option,
+                                              toString(method),
+                                              mm ? "leave it out" : "add --method mm"));
+  }
+}
+
+}  // namespace
+
 int runDesign(const DesignSettings& settings) {
   const std::string text = quad_support::readFile(settings.problem);
   const ExplorationProblem problem = problemFromJson(text, settings.problem);
   DesignOptions options = settings.options;
   options.method = methodFromString(settings.method);
   options.extrapolate = !settings.plain;
+  refuseIdleOptions(settings, options.method);
   if (!settings.initial.empty()) {
-    if (options.method != DesignMethod::kMm) {
-      throw quad_support::DataError("--initial has no effect on method global; add --method mm");
-    }
     options.initial_amplitudes =
         amplitudesFromJson(quad_support::readFile(settings.initial), settings.initial, problem)
             .reshaped<Eigen::RowMajor>();
   }
-  const DesignResult result = designExploration(problem, options);
-  if (!settings.dump.empty()) writeAnswer(settings.dump, dumpDesign(text, options, result));
+  const DesignResult result =
+      withName(settings.problem, [&] { return designExploration(problem, options); });
   writeAnswer(settings.out, prettyJson(designToJson(problem, result)));
+  if (!settings.dump.empty()) writeAnswer(settings.dump, dumpDesign(text, options, result));
   if (result.status == DesignStatus::kSolved || result.status == DesignStatus::kReducedAccuracy) {
     return quad_support::kDone;
   }

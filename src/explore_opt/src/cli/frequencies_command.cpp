@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "checks.hpp"
 #include "commands.hpp"
 #include "explore_opt/design_json.hpp"
 #include "explore_opt/frequency_choice.hpp"
@@ -50,7 +51,7 @@ int runFrequencies(const FrequenciesSettings& settings) {
     options.band_high = settings.band.back();
   }
   const FrequencyChoice choice =
-      namingFile(settings.system, [&] { return chooseFrequencies(problem, options); });
+      withName(settings.system, [&] { return chooseFrequencies(problem, options); });
   if (!settings.problem.empty()) {
     json["harmonics"] = choice.harmonics;
     writeAnswer(settings.problem, prettyJson(json));

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "checks.hpp"
 #include "commands.hpp"
 #include "explore_opt/design_json.hpp"
 #include "explore_opt/identification.hpp"
@@ -66,7 +67,14 @@ int runIdentify(const IdentifySettings& settings) {
     request.candidate =
         thetaFromJson(quad_support::readFile(settings.candidate), settings.candidate);
   }
-  const Identification result = identify(readData(settings), request);
+  const std::vector<DataSet> data = readData(settings);
+  if (request.closeness) {
+    const auto nx = static_cast<int>(settings.states.size()),
+               nu = static_cast<int>(settings.inputs.size());
+    withName("--D " + settings.closeness,
+             [&] { return fullCloseness(*request.closeness, nx, nx + nu); });
+  }
+  const Identification result = identify(data, request);
   writeAnswer(settings.out, prettyJson(identificationToJson(result)));
   const std::string text = complaint(result);
   if (text.empty()) return quad_support::kDone;

@@ -70,7 +70,9 @@ void addDesign(CLI::App& app, Actions& actions) {
       ->check(CLI::IsMember({"global", "mm"}));
   c.out();
   c->add_option("--dump", s.dump, "File for problem, options and answer; see replay");
-  c->add_option("--seed", options.seed, "Of random starts")->capture_default_str();
+  c->add_option("--seed", options.seed, "Of random starts")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
   c->add_option("--starts", options.random_starts,
                 "global: random starts while the gap is open; at most 10000")
       ->capture_default_str();
@@ -105,7 +107,8 @@ void addBaselines(CLI::App& app, Actions& actions) {
   c.out();
   c->add_option("--seeds", s.options.seeds, "Draws of each random signal")->capture_default_str();
   c->add_option("--seed", s.options.seed, "Of the random signals and starts")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
   c->add_option("--band", s.band,
                 "LOW HIGH [cycles per sample] of band_limited and chirp; default: from the lowest "
                 "line to the highest")

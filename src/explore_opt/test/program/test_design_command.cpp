@@ -106,6 +106,20 @@ TEST_F(Program, StartsHaveALimit) {
   EXPECT_EQ(run("design " + problem + " --starts 0"), 0) << stderr_;
 }
 
+TEST_F(Program, OptionsWithoutEffectAreRefused) {
+  const std::string problem = write("problem.json", kThesis);
+  for (const char* option : {"--plain", "--max-iterations 7", "--cost-tolerance 1e-3",
+                             "--step-tolerance 1e-3", "--initial problem.json"}) {
+    EXPECT_EQ(run("design " + problem + " " + option), 2) << option;
+    EXPECT_NE(stderr_.find("has no effect on method global; add --method mm"), std::string::npos)
+        << stderr_;
+  }
+  EXPECT_EQ(run("design " + problem + " --method mm --starts 3"), 2);
+  EXPECT_NE(stderr_.find("--starts has no effect on method mm"), std::string::npos) << stderr_;
+  EXPECT_EQ(run("design " + problem + " --seed -1"), 2);
+  EXPECT_NE(stderr_.find("--seed"), std::string::npos) << stderr_;
+}
+
 TEST_F(Program, NegativeAnswersExitWith3AndAreWritten) {
   EXPECT_EQ(run("design " + write("dead.json", with("B", {{0.0}, {0.0}}))), 3);
   EXPECT_EQ(answer()["status"], "not_exciting");
@@ -118,4 +132,6 @@ TEST_F(Program, NegativeAnswersExitWith3AndAreWritten) {
 
 TEST_F(Program, OutputThatCannotBeWrittenExitsWith5) {
   EXPECT_EQ(run("design " + write("p.json", kThesis) + " --out no/such/folder/a.json"), 5);
+  EXPECT_EQ(run("design " + write("p.json", kThesis) + " --dump no/such/folder/d.json"), 5);
+  EXPECT_EQ(answer()["status"], "solved");  // what can be written is
 }

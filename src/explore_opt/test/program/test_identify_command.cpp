@@ -81,6 +81,21 @@ TEST_F(Program, DataThatDoNotExciteExitWith3) {
             3);
   EXPECT_EQ(answer()["exciting"], false);
   EXPECT_TRUE(answer()["Theta"].is_null());
+  EXPECT_TRUE(answer()["exploration_condition"].is_null());  // was not asked for
+  EXPECT_EQ(run("identify still.csv --states x --inputs u --gamma-w 1 --D 2"), 3);
+  EXPECT_EQ(answer()["exploration_condition"], false);
+}
+
+TEST_F(Program, PredictedDataMeetTheConditionTheyWereDesignedFor) {
+  for (const double D_des : {0.3, 1.0, 4.0, 33.0}) {  // on the boundary to the last digit or two
+    const std::string problem = write("problem.json", with("D_des", D_des));
+    ASSERT_EQ(run("design " + problem + " --out design.json"), 0) << stderr_;
+    ASSERT_EQ(run("predict " + problem + " design.json --out data.csv"), 0) << stderr_;
+    EXPECT_EQ(run("identify data.csv --states x1,x2 --inputs u1 --gamma-w 20 --D " +
+                  std::to_string(D_des)),
+              0)
+        << stderr_;
+  }
 }
 
 TEST_F(Program, IdentifyTakesDataThatOnlyTogetherDetermineAll) {
@@ -120,4 +135,10 @@ TEST_F(Program, IdentifyRefusesAnIndefiniteClosenessWhereItIsRead) {
   EXPECT_NE(stderr_.find("D.json: D has the eigenvalue -"), std::string::npos) << stderr_;
   EXPECT_EQ(run(common + "-5"), 2);
   EXPECT_NE(stderr_.find("--D has the eigenvalue -5"), std::string::npos) << stderr_;
+  EXPECT_EQ(run(common + write("D.json", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]")), 2);
+  EXPECT_NE(stderr_.find("D.json: "), std::string::npos) << stderr_;
+  EXPECT_EQ(run("identify " + write("short.csv", "x,u\n1,1\n2,0\n") +
+                " --states x --inputs u --gamma-w 1"),
+            2);
+  EXPECT_NE(stderr_.find("short.csv: "), std::string::npos) << stderr_;
 }

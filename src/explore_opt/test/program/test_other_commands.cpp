@@ -36,6 +36,9 @@ TEST_F(Program, AuditPassesHonestDesignsAndFindsOthers) {
       run("audit " + problem + " " + write("cheap.json", design.dump()) + " --out audit.json"), 3);
   EXPECT_NE(stdout_.find("WRONG  feasible"), std::string::npos) << stdout_;
   EXPECT_EQ(run("audit " + problem + " " + write("no.json", "{}")), 2);
+  design["amplitudes"].erase(3);
+  EXPECT_EQ(run("audit " + problem + " " + write("short.json", design.dump())), 2);
+  EXPECT_NE(stderr_.find("short.json: amplitudes are 3 x 1"), std::string::npos) << stderr_;
 }
 
 TEST_F(Program, PredictionOfADesignMeetsItsPromise) {
@@ -43,7 +46,7 @@ TEST_F(Program, PredictionOfADesignMeetsItsPromise) {
   ASSERT_EQ(run("design " + problem + " --out design.json"), 0);
   ASSERT_EQ(run("predict " + problem + " design.json --out prediction.csv"), 0) << stderr_;
   // Without noise the residual is zero, G = gamma_w, and the condition just holds.
-  ASSERT_EQ(run("identify prediction.csv --states x1,x2 --inputs u1 --gamma-w 20 --D 99.9999"), 0)
+  ASSERT_EQ(run("identify prediction.csv --states x1,x2 --inputs u1 --gamma-w 20 --D 100"), 0)
       << stderr_;
   EXPECT_NEAR(answer()["Theta"][0][1].get<double>(), 0.1635, 1e-12);
   EXPECT_NEAR(answer()["lambda_D_bd"].get<double>(), 100.0, 1e-6);
