@@ -89,24 +89,6 @@ void requireFlyable(const quad_sim::SimulationConfig& simulation) {
   }
 }
 
-/// The hold is at least one interval and, where time advances by whole intervals, ends with one.
-void requireHold(const ConfigReader& control, const ExperimentConfig& c) {
-  constexpr double kRounding = 1e-9;  // of 0.3 / 0.1 and the like
-  const double period = c.timing.sampling_period;
-  const double intervals = c.control.hold_time / period;
-  const double whole = std::round(intervals);
-  if (intervals < 1.0 - kRounding)
-    control.fail("hold_time", fmt::format("must be at least one interval of {} s", period));
-  if (c.timing.mode == quad_control::TimingMode::kLockstep &&
-      std::abs(intervals - whole) > kRounding * whole) {
-    control.fail(
-        "hold_time",
-        fmt::format(
-            "must be a whole number of timing.sampling_period = {} s ({:.9g} s or {:.9g} s)",
-            period, std::floor(intervals) * period, std::ceil(intervals) * period));
-  }
-}
-
 /// What the controllers would refuse when the flight begins, said where the settings are.
 void requireFlight(const ConfigReader& in, const ExperimentConfig& c) {
   const quad_sim::VehicleModel& vehicle = c.vehicle();
@@ -114,7 +96,10 @@ void requireFlight(const ConfigReader& in, const ExperimentConfig& c) {
   if (!(gravity > 0.0))
     in.section("simulation")
         .fail("gravity", "must be > 0 m/s^2: without weight there is nothing to hold");
-  requireHold(in.section("control"), c);
+  if (std::llround(c.control.hold_time / c.timing.sampling_period) < 1) {
+    in.section("control").fail("hold_time", fmt::format("must be at least one interval of {} s",
+                                                        c.timing.sampling_period));
+  }
   const double feedforward = c.estimate.parameters.mass * gravity;
   const double max_thrust = quad_control::Mixer(quad_control::rotorGeometry(vehicle)).maxThrust();
   if (feedforward >= max_thrust) {
@@ -161,17 +146,32 @@ ExperimentConfig readExperimentConfig(const ConfigReader& in, const std::string&
   return c;
 }
 
-std::vector<std::string> notes(const ExperimentConfig& config) {
-  std::vector<std::string> notes = config.vehicle().notes;
-  const double step = config.simulation.options.step, latency = config.timing.latency;
-  const double flown = std::round(latency / step) * step;
+namespace {
+
+/// What is said where time advances by `unit` and `value` is no whole number of it; else empty.
+std::string roundingNote(const char* key, double value, const char* unit_key, double unit) {
+  const double flown = std::round(value / unit) * unit;
   // A decimal fraction such as 0.045 is a whole number of steps up to rounding.
-  if (std::abs(flown - latency) > 1e-9 * step) {
-    notes.push_back(fmt::format(
-        "timing.latency = {} s is flown as {:.9g} s, a whole number of "
-        "simulation.step = {} s: {:.3g} ms {}",
-        latency, flown, step, 1e3 * std::abs(flown - latency), flown > latency ? "more" : "less"));
+  if (std::abs(flown - value) <= 1e-9 * std::max(unit, value)) return "";
+  return fmt::format("{} = {} s is flown as {:.9g} s, a whole number of {} = {} s: {:.3g} ms {}",
+                     key, value, flown, unit_key, unit, 1e3 * std::abs(flown - value),
+                     flown > value ? "more" : "less");
+}
+
+}  // namespace
+
+std::vector<std::string> notes(const ExperimentConfig& config) {
+  const quad_control::TimingConfig& timing = config.timing;
+  std::vector<std::string> notes = config.vehicle().notes;
+  std::vector<std::string> roundings = {roundingNote(
+      "timing.latency", timing.latency, "simulation.step", config.simulation.options.step)};
+  if (timing.mode ==
+      quad_control::TimingMode::kLockstep) {  // on the wall clock no interval is exact
+    roundings.push_back(roundingNote("control.hold_time", config.control.hold_time,
+                                     "timing.sampling_period", timing.sampling_period));
   }
+  for (const std::string& note : roundings)
+    if (!note.empty()) notes.push_back(note);
   return notes;
 }
 
