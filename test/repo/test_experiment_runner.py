@@ -329,8 +329,8 @@ class Runner(unittest.TestCase):
                 time.sleep(delay)
                 process.send_signal(signal.SIGINT)
                 code, _, stderr = self.finish(process)
-                # Before the program's first line it is Python that answers, in its own ways.
-                starting = code == 1 and "Failed to import the site module" in stderr
+                # Before the program's first line it is Python that answers, in its own ways; from there on it would name the line.
+                starting = code == 1 and ("Failed to import the site module" in stderr or stderr == "KeyboardInterrupt\n")
                 self.assertTrue(starting or code in (130, -signal.SIGINT), (code, stderr))
                 self.assert_nothing_left()
 
