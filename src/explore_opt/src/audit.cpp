@@ -312,7 +312,8 @@ bool sameUpToScale(const Matrix& a, const Matrix& b) {
   return (a / na - b / nb).norm() <= AuditTolerance::kSaidTwice;
 }
 
-/// Far from singular: where D_des is not, the certificate's coordinates are the design's own.
+/// Far from singular: where D_des is not, the certificate's coordinates are the design's own, and
+/// D^{-1/2} in doubles has not the digits that two roundings of one matrix are compared to.
 bool isDefinite(const Matrix& D) {
   const Vector lambda = Eigen::SelfAdjointEigenSolver<Matrix>(D).eigenvalues();
   return lambda(0) > 1e-10L * lambda(lambda.size() - 1);

@@ -90,6 +90,7 @@ std::string auditAnswer(const ExplorationProblem& problem, const DesignOptions& 
 
   AuditReport report = audited(problem, result, result.amplitudes);
   if (report.lambda_min > 0.0 && report.lambda_min < 1.0 - kShort) {
+    // A little more, for the root and the products round; it costs less than any bound is known to.
     result.amplitudes *= std::sqrt(1.0 / report.lambda_min) * (1.0 + 1e-12);
     report = audited(problem, result, result.amplitudes);
   }

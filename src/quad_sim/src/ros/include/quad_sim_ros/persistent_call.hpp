@@ -1,6 +1,6 @@
 /// Service calls over connections that stay open. roscpp's one-off calls (ros::service::call) take
-/// ten times as long, and on a busy machine about one in two thousand returns false although the
-/// server has done what it was asked.
+/// ten times as long, and on a busy machine a few in ten thousand return false although the server
+/// has done what it was asked.
 #pragma once
 
 #include <ros/ros.h>
